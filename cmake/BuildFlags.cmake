@@ -1,0 +1,19 @@
+# One INTERFACE target carries every compile flag; no global flag is set.
+set(ABBE_SANITIZE "" CACHE STRING "Comma-separated sanitizers, e.g. address,undefined or thread")
+
+add_library(abbe_flags INTERFACE)
+target_include_directories(abbe_flags INTERFACE "${PROJECT_SOURCE_DIR}")
+# No contraction into fused multiply-adds: a packet and a single ray must round alike.
+target_compile_options(abbe_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
+  -march=${ABBE_ARCH} -ffp-contract=off -fno-math-errno -fno-trapping-math)
+if(ABBE_SANITIZE)
+  target_compile_options(abbe_flags INTERFACE -fsanitize=${ABBE_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(abbe_flags INTERFACE -fsanitize=${ABBE_SANITIZE})
+endif()
+
+# abbe_add_library(folder source...): the static library abbe_<folder> of one folder.
+function(abbe_add_library folder)
+  add_library(abbe_${folder} STATIC ${ARGN})
+  target_link_libraries(abbe_${folder} PUBLIC abbe_flags)
+endfunction()

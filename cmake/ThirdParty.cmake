@@ -1,0 +1,27 @@
+# Third parties, each behind one imported target. Debian 12 has Embree 3 and Catch2 2,
+# Debian 13 has Embree 4 and Catch2 3; both are found here and told apart in one source file each.
+find_package(embree 4 CONFIG QUIET)
+if(NOT embree_FOUND)
+  find_package(embree 3 CONFIG REQUIRED)
+endif()
+message(STATUS "Embree ${embree_VERSION}")
+
+find_package(TBB CONFIG REQUIRED)
+find_package(glm CONFIG REQUIRED)
+find_package(OpenEXR CONFIG REQUIRED)
+find_package(TIFF REQUIRED)
+find_package(PNG REQUIRED)
+find_package(fmt CONFIG REQUIRED)
+find_package(CLI11 CONFIG REQUIRED)
+
+find_path(LCMS2_INCLUDE_DIR lcms2.h REQUIRED)
+find_library(LCMS2_LIBRARY lcms2 REQUIRED)
+add_library(lcms2::lcms2 UNKNOWN IMPORTED)
+set_target_properties(lcms2::lcms2 PROPERTIES
+  IMPORTED_LOCATION "${LCMS2_LIBRARY}"
+  INTERFACE_INCLUDE_DIRECTORIES "${LCMS2_INCLUDE_DIR}")
+
+if(ABBE_TESTS)
+  find_package(Catch2 CONFIG REQUIRED)
+  message(STATUS "Catch2 ${Catch2_VERSION}")
+endif()

@@ -1,0 +1,26 @@
+#include "core/band_table.h"
+
+#include <algorithm>
+
+namespace abbe {
+
+BandTable::BandTable(const std::vector<double>& values)
+    : values_(padded_band_count(static_cast<int>(values.size())), 0.0f) {
+  std::transform(values.begin(), values.end(), values_.begin(),
+                 [](double v) { return static_cast<float>(v); });
+  zero_ = std::all_of(values_.begin(), values_.end(), [](float v) { return v == 0.0f; });
+}
+
+BandTable BandTable::at_centers(const BandGrid& grid, const Curve& curve, bool keep_constant) {
+  if (const auto constant = curve.constant_value(); constant && keep_constant) {
+    BandTable table(static_cast<float>(*constant), grid.count());
+    table.zero_ = *constant == 0.0;
+    return table;
+  }
+  std::vector<double> values;
+  for (int b = 0; b < grid.count(); ++b)
+    values.push_back(curve.at(grid.center_nm(b)));
+  return BandTable(values);
+}
+
+} // namespace abbe

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "spectral/band_grid.h"
+#include "spectral/curve.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace abbe {
+
+/// Band arrays are padded to a multiple of this many floats, so that loops run in whole registers.
+inline constexpr std::size_t kBandPadding = 16;
+
+[[nodiscard]] constexpr std::size_t padded_band_count(int bands) {
+  return (static_cast<std::size_t>(bands) + kBandPadding - 1) / kBandPadding * kBandPadding;
+}
+
+/// A curve at the bands of a grid. A constant one knows it, so that loops need not look it up.
+class BandTable {
+public:
+  BandTable() : BandTable(0.0f, 0) {}
+  /// The same value in every band.
+  BandTable(float constant, int bands)
+      : values_(padded_band_count(bands), constant), constant_(constant) {}
+  /// One value per band.
+  explicit BandTable(const std::vector<double>& values);
+  /// The curve's value at every band's centre. With `keep_constant` off a constant curve is stored
+  /// like any other.
+  [[nodiscard]] static BandTable at_centers(const BandGrid& grid, const Curve& curve,
+                                            bool keep_constant);
+
+  [[nodiscard]] bool zero() const { return zero_; }
+  [[nodiscard]] std::optional<float> constant() const { return constant_; }
+  [[nodiscard]] float operator[](int band) const { return values_[static_cast<std::size_t>(band)]; }
+  [[nodiscard]] const float* data() const { return values_.data(); }
+
+private:
+  std::vector<float> values_;
+  std::optional<float> constant_;
+  bool zero_ = false;
+};
+
+/// target[b] *= table[b] * factor for the bands from first to last (exclusive).
+inline void multiply(float* target, const BandTable& table, float factor, int first, int last) {
+  if (const auto constant = table.constant()) {
+    const float product = *constant * factor;
+    for (int b = first; b < last; ++b)
+      target[b] *= product;
+  } else {
+    const float* values = table.data();
+    for (int b = first; b < last; ++b)
+      target[b] *= values[b] * factor;
+  }
+}
+
+/// sum[b] += throughput[b] * table[b] * factor for the bands from first to last (exclusive).
+inline void accumulate(float* sum, const float* throughput, const BandTable& table, float factor,
+                       int first, int last) {
+  if (const auto constant = table.constant()) {
+    const float product = *constant * factor;
+    for (int b = first; b < last; ++b)
+      sum[b] += throughput[b] * product;
+  } else {
+    const float* values = table.data();
+    for (int b = first; b < last; ++b)
+      sum[b] += throughput[b] * (values[b] * factor);
+  }
+}
+
+} // namespace abbe

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "geometry/ray_state.h"
+
+#include <optional>
+
+namespace abbe {
+
+/// A contiguous range of bands that share one ray. Its throughput per band lies beside it.
+struct Bundle {
+  int first = 0, last = 0; ///< bands [first, last)
+  RayState state;
+  std::optional<Hit> hit;   ///< what the ray meets next; a ray is traced before its bundle is kept
+  int depth = 0;            ///< surfaces met so far
+  double path_length = 0.0; ///< from the camera to the ray's origin
+
+  // How far apart the rays of its outermost bands have drifted, had each its own ray: in position
+  // at the ray's origin, and in direction. 0 for a single band.
+  double position_spread = 0.0;
+  double direction_spread = 0.0;
+
+  [[nodiscard]] int bands() const { return last - first; }
+};
+
+} // namespace abbe

@@ -1,0 +1,30 @@
+#include "core/camera.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace abbe {
+
+CameraRays::CameraRays(const Camera& camera, int width, int height)
+    : eye_(camera.eye), forward_(glm::normalize(camera.look_at - camera.eye)),
+      center_(0.5 * width, 0.5 * height),
+      pixel_angle_(2.0 * std::tan(camera.field_of_view_deg * std::numbers::pi / 360.0) / height) {
+  const dvec3 right = glm::normalize(glm::cross(forward_, camera.up));
+  right_ = pixel_angle_ * right;
+  down_ = pixel_angle_ * glm::cross(forward_, right);
+}
+
+Ray CameraRays::ray(const glm::dvec2& position) const {
+  const glm::dvec2 p = position - center_;
+  return {eye_, glm::normalize(forward_ + p.x * right_ + p.y * down_)};
+}
+
+std::optional<glm::dvec2> CameraRays::project(const dvec3& point) const {
+  const dvec3 v = point - eye_;
+  const double depth = glm::dot(v, forward_);
+  if (!(depth > 0.0)) return std::nullopt;
+  const double scale = 1.0 / (depth * pixel_angle_ * pixel_angle_);
+  return center_ + scale * glm::dvec2(glm::dot(v, right_), glm::dot(v, down_));
+}
+
+} // namespace abbe

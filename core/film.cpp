@@ -1,0 +1,82 @@
+#include "core/film.h"
+
+#include <cmath>
+
+namespace abbe {
+namespace {
+
+/// A sample that alone would overflow a sum.
+constexpr double kLargestSteps = 0x1p62;
+
+std::int64_t steps(double value, double quantum) {
+  return std::llround(value / quantum);
+}
+
+} // namespace
+
+Film::Film(PixelWindow window, double quantum, int bands)
+    : window_(window), quantum_(quantum), bands_(bands), sums_(3 * window.pixel_count()),
+      band_sums_(window.pixel_count() * static_cast<std::size_t>(bands)),
+      counts_(window.pixel_count()), covered_(window.pixel_count()),
+      refused_(window.pixel_count()) {}
+
+bool Film::accept(double value, std::size_t pixel) {
+  auto& tally = refused_[pixel];
+  if (!std::isfinite(value)) return ++tally[0], false;
+  if (value < 0.0) return ++tally[1], false;
+  if (value / quantum_ > kLargestSteps) return ++tally[2], false;
+  return true;
+}
+
+void Film::sum(std::int64_t& total, double value, std::size_t pixel) {
+  std::int64_t next = 0;
+  if (__builtin_add_overflow(total, steps(value, quantum_), &next)) {
+    ++refused_[pixel][2];
+    return;
+  }
+  total = next;
+}
+
+void Film::add(int x, int y, const Xyz& color, bool covered, std::span<const float> radiance) {
+  const std::size_t pixel = index(x, y);
+  ++counts_[pixel];
+  covered_[pixel] += covered ? 1u : 0u;
+  if (!accept(color.x, pixel) || !accept(color.y, pixel) || !accept(color.z, pixel)) return;
+  sum(sums_[3 * pixel], color.x, pixel);
+  sum(sums_[3 * pixel + 1], color.y, pixel);
+  sum(sums_[3 * pixel + 2], color.z, pixel);
+  for (std::size_t b = 0; b < static_cast<std::size_t>(bands_); ++b)
+    if (accept(radiance[b], pixel))
+      sum(band_sums_[pixel * static_cast<std::size_t>(bands_) + b], radiance[b], pixel);
+}
+
+double Film::mean(std::int64_t sum, std::size_t pixel) const {
+  return counts_[pixel] ? static_cast<double>(sum) * quantum_ / counts_[pixel] : 0.0;
+}
+
+Xyz Film::color(int x, int y) const {
+  const std::size_t p = index(x, y);
+  return {mean(sums_[3 * p], p), mean(sums_[3 * p + 1], p), mean(sums_[3 * p + 2], p)};
+}
+
+double Film::alpha(int x, int y) const {
+  const std::size_t p = index(x, y);
+  return counts_[p] ? static_cast<double>(covered_[p]) / counts_[p] : 0.0;
+}
+
+double Film::radiance(int x, int y, int band) const {
+  const std::size_t p = index(x, y);
+  return mean(band_sums_[p * static_cast<std::size_t>(bands_) + static_cast<std::size_t>(band)], p);
+}
+
+Film::Refused Film::refused() const {
+  Refused total;
+  for (const auto& tally : refused_) {
+    total.not_finite += tally[0];
+    total.negative += tally[1];
+    total.overflow += tally[2];
+  }
+  return total;
+}
+
+} // namespace abbe

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/image.h"
+#include "spectral/color.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace abbe {
+
+/// Sums of camera samples. They are integers, multiples of a power-of-two quantum, so their value
+/// does not depend on the order in which threads add.
+class Film {
+public:
+  /// `bands` is 0 for XYZ alone, else the number of bands whose sums are kept too.
+  Film(PixelWindow window, double quantum, int bands);
+
+  /// Adds one sample of a pixel inside the window. `radiance` holds one value per band when the
+  /// film keeps bands. Values that are not finite, negative ones and overflows are counted and
+  /// left out. One pixel must not be added to by two threads at once.
+  void add(int x, int y, const Xyz& color, bool covered, std::span<const float> radiance);
+
+  [[nodiscard]] const PixelWindow& window() const { return window_; }
+  [[nodiscard]] int bands() const { return bands_; }
+
+  // Means over the samples of a pixel; 0 where there is none.
+  [[nodiscard]] Xyz color(int x, int y) const;
+  [[nodiscard]] double alpha(int x, int y) const;
+  [[nodiscard]] double radiance(int x, int y, int band) const;
+  [[nodiscard]] std::uint32_t samples(int x, int y) const { return counts_[index(x, y)]; }
+
+  /// Samples that were refused.
+  struct Refused {
+    std::uint64_t not_finite = 0, negative = 0, overflow = 0;
+  };
+  [[nodiscard]] Refused refused() const;
+
+private:
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y - window_.y0) * static_cast<std::size_t>(window_.width()) +
+           static_cast<std::size_t>(x - window_.x0);
+  }
+  /// True when the value can be summed; else the pixel's tally of refused samples grows.
+  bool accept(double value, std::size_t pixel);
+  void sum(std::int64_t& total, double value, std::size_t pixel);
+  [[nodiscard]] double mean(std::int64_t sum, std::size_t pixel) const;
+
+  PixelWindow window_;
+  double quantum_;
+  int bands_;
+  std::vector<std::int64_t> sums_;                    ///< X, Y, Z per pixel
+  std::vector<std::int64_t> band_sums_;               ///< per pixel, per band
+  std::vector<std::uint32_t> counts_;                 ///< samples per pixel
+  std::vector<std::uint32_t> covered_;                ///< samples that met a surface
+  std::vector<std::array<std::uint16_t, 3>> refused_; ///< per pixel, so that threads do not share
+};
+
+} // namespace abbe

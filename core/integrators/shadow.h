@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/path_wavelengths.h"
+#include "core/statistics.h"
+#include "geometry/world.h"
+
+#include <vector>
+
+namespace abbe {
+
+/// Shadow rays of one thread.
+class ShadowRays {
+public:
+  ShadowRays(const Plan& plan, const World& world);
+
+  /// What of a lamp's light arrives along a straight shadow ray, per band; null where none does.
+  /// Full transmittance is a band array of ones. The array is valid until the next call.
+  [[nodiscard]] const float* transmittance(const RayState& towards_lamp, double distance, int first,
+                                           int last, PathWavelengths& wavelengths,
+                                           RayCounts& counts);
+
+private:
+  [[nodiscard]] bool attenuate(RayState state, double distance, int first, int last,
+                               PathWavelengths& wavelengths, RayCounts& counts);
+
+  const Plan& plan_;
+  const World& world_;
+  std::vector<float> ones_, transmittance_;
+};
+
+} // namespace abbe

@@ -1,0 +1,162 @@
+#include "core/integrators/whitted.h"
+
+#include "core/integrators/absorption.h"
+#include "core/lights/illumination.h"
+#include "core/materials/fresnel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abbe {
+
+Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, double pixel_angle)
+    : scene_(scene), plan_(plan), world_(world), wavelengths_(plan), fan_(plan, world, pixel_angle),
+      shadow_rays_(plan, world), ones_(1.0f, plan.grid.count()), live_(plan.stride),
+      throughput_(plan.stride), lit_(plan.stride) {
+  scatter_.reflected.resize(plan.stride);
+  scatter_.transmitted.resize(plan.stride);
+  for (int b = plan.live_first; b < plan.live_last; ++b)
+    live_[static_cast<std::size_t>(b)] = 1.0f;
+}
+
+void Whitted::push(Bundle bundle, const float* throughput, float factor) {
+  waiting_.push_back(std::move(bundle));
+  const Bundle& kept = waiting_.back();
+  if (throughputs_.size() < waiting_.size() * plan_.stride)
+    throughputs_.resize(waiting_.size() * plan_.stride);
+  float* target = row(waiting_.size() - 1);
+  for (int b = kept.first; b < kept.last; ++b)
+    target[b] = throughput[b] * factor;
+}
+
+void Whitted::trace(const RayState& camera_ray, const std::optional<Hit>& hit,
+                    const Sampler& sampler, RadianceSums& sums, RayCounts& counts) {
+  const dvec2 u = sampler.pair(kWavelength);
+  wavelengths_.begin_path(plan_.settings.jitter ? u.x : 0.5);
+  Bundle first;
+  first.first = plan_.first_band;
+  first.last = plan_.last_band;
+  first.state = camera_ray;
+  first.hit = hit;
+  push(first, live_.data(), 1.0f);
+  while (!waiting_.empty()) {
+    const Bundle bundle = std::move(waiting_.back());
+    const float* stored = row(waiting_.size() - 1);
+    std::copy(stored + bundle.first, stored + bundle.last, throughput_.begin() + bundle.first);
+    waiting_.pop_back();
+    shade(bundle, sums, counts);
+    if (bundle.hit && bundle.depth < plan_.settings.max_depth) scatter(bundle, u.y, counts);
+  }
+}
+
+void Whitted::shade(const Bundle& bundle, RadianceSums& sums, RayCounts& counts) {
+  const auto add = [&](int source, const BandTable& factor) {
+    sums.add(source, throughput_.data(), factor, 1.0f, bundle.first, bundle.last);
+  };
+  if (!bundle.hit) {
+    absorb(plan_.medium(world_.medium_of(bundle.state.nesting)), kInfinity, bundle.first,
+           bundle.last, throughput_.data());
+    add(Plan::kBackground, ones_);
+    return;
+  }
+  const Hit& hit = *bundle.hit;
+  absorb(plan_.medium(hit.medium_before), hit.t, bundle.first, bundle.last, throughput_.data());
+  const MaterialPlan& material = plan_.materials[hit.material.index()];
+  if (material.emission_source >= 0) add(material.emission_source, ones_);
+  if (!material.ambient.zero()) add(Plan::kAmbient, material.ambient);
+  if (material.lit) add_lamps(bundle, material, sums, counts);
+}
+
+void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
+                        RayCounts& counts) {
+  const Hit& hit = *bundle.hit;
+  const dvec3 to_eye = -bundle.state.ray.direction;
+  const dvec3 normal = hit.entering ? hit.normal : -hit.normal;
+  for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
+    const Illumination light = illumination(scene_.lights[i], hit.point);
+    const double lambert = glm::dot(light.direction, normal);
+    if (!(lambert > 0.0) || light.strength == 0.0) continue;
+    const RayState towards_lamp{{hit.point, light.direction}, hit.same_side, bundle.state.nesting};
+    const float* arriving = shadow_rays_.transmittance(towards_lamp, light.distance, bundle.first,
+                                                       bundle.last, wavelengths_, counts);
+    if (!arriving) continue;
+    for (int b = bundle.first; b < bundle.last; ++b)
+      lit_[static_cast<std::size_t>(b)] = throughput_[static_cast<std::size_t>(b)] * arriving[b];
+    const int source = plan_.light_source(i);
+    if (!material.diffuse.zero())
+      sums.add(source, lit_.data(), material.diffuse, static_cast<float>(light.strength * lambert),
+               bundle.first, bundle.last);
+    if (!material.specular.zero()) {
+      const dvec3 half = glm::normalize(to_eye + light.direction);
+      const double phong = std::pow(std::max(0.0, glm::dot(half, normal)),
+                                    static_cast<double>(material.specular_exponent));
+      sums.add(source, lit_.data(), material.specular, static_cast<float>(light.strength * phong),
+               bundle.first, bundle.last);
+    }
+  }
+}
+
+bool Whitted::worthwhile(const float* throughput, const float* factors, int first, int last) const {
+  const auto least = static_cast<float>(plan_.settings.min_throughput);
+  for (int b = first; b < last; ++b)
+    if (throughput[b] * factors[b] > least) return true;
+  return false;
+}
+
+void Whitted::scatter(const Bundle& bundle, double choice, RayCounts& counts) {
+  const Hit& hit = *bundle.hit;
+  const MaterialPlan& material = plan_.materials[hit.material.index()];
+  if (!material.reflects && !material.transmits) return;
+  if (!material.transmits) {
+    reflect(bundle, material.reflectivity.data(), counts);
+    return;
+  }
+  const double cos_i = std::min(1.0, std::abs(glm::dot(hit.normal, bundle.state.ray.direction)));
+  scatter_dielectric(material, cos_i, wavelengths_.indices(hit.medium_before),
+                     wavelengths_.indices(hit.medium_after), bundle.first, bundle.last, scatter_);
+  if (material.reflects) reflect(bundle, scatter_.reflected.data(), counts);
+  refract(bundle, choice, counts);
+}
+
+void Whitted::reflect(const Bundle& bundle, const float* factors, RayCounts& counts) {
+  if (!worthwhile(throughput_.data(), factors, bundle.first, bundle.last)) return;
+  const Hit& hit = *bundle.hit;
+  Bundle next = bundle;
+  next.state.ray.origin = hit.point;
+  next.state.ray.direction =
+      reflected(bundle.state.ray.direction, hit.entering ? hit.normal : -hit.normal);
+  next.state.contacts = hit.same_side;
+  next.depth = bundle.depth + 1;
+  next.path_length = bundle.path_length + hit.t;
+  next.position_spread = bundle.position_spread + bundle.direction_spread * hit.t;
+  next.hit = world_.closest(next.state);
+  ++counts.reflected;
+  for (int b = bundle.first; b < bundle.last; ++b)
+    lit_[static_cast<std::size_t>(b)] = throughput_[static_cast<std::size_t>(b)] * factors[b];
+  push(std::move(next), lit_.data(), 1.0f);
+}
+
+void Whitted::refract(const Bundle& bundle, double choice, RayCounts& counts) {
+  for (int b = bundle.first; b < bundle.last; ++b)
+    lit_[static_cast<std::size_t>(b)] = throughput_[static_cast<std::size_t>(b)] *
+                                        scatter_.transmitted[static_cast<std::size_t>(b)];
+  // Bands under total reflection, and those without power, have no refracted ray. What remains is
+  // one run of bands as a rule, and more where n(lambda) turns.
+  const auto passes = [&](int b) { return lit_[static_cast<std::size_t>(b)] > 0.0f; };
+  for (int first = bundle.first; first < bundle.last;) {
+    if (!passes(first)) {
+      ++first;
+      continue;
+    }
+    int last = first + 1;
+    while (last < bundle.last && passes(last))
+      ++last;
+    if (worthwhile(lit_.data(), ones_.data(), first, last))
+      for (const FanCell& cell :
+           fan_.refract(bundle, first, last, wavelengths_, choice, counts.refracted))
+        push(cell.bundle, lit_.data(), cell.weight);
+    first = last;
+  }
+}
+
+} // namespace abbe

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/fan.h"
+#include "core/integrators/shadow.h"
+#include "core/materials/dielectric.h"
+#include "core/radiance_sums.h"
+#include "core/sampler.h"
+
+#include <vector>
+
+namespace abbe {
+
+/// The thesis's model of light [Ward05, 4.6; Whitted80], per band: ambient, emitted, Lambert and
+/// Phong (with Blinn's half vector) light of the lamps, and the trees of reflected and refracted
+/// rays. One object serves one thread; it keeps the memory of its paths.
+class Whitted {
+public:
+  Whitted(const Scene& scene, const Plan& plan, const World& world, double pixel_angle);
+
+  /// Follows a camera ray that has been traced to `hit` and adds what it sees to `sums`.
+  void trace(const RayState& camera_ray, const std::optional<Hit>& hit, const Sampler& sampler,
+             RadianceSums& sums, RayCounts& counts);
+
+private:
+  /// A bundle that waits for its turn; its throughput is the row of the same number.
+  void push(Bundle bundle, const float* throughput, float factor);
+  [[nodiscard]] float* row(std::size_t i) { return throughputs_.data() + i * plan_.stride; }
+
+  void shade(const Bundle& bundle, RadianceSums& sums, RayCounts& counts);
+  void add_lamps(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
+                 RayCounts& counts);
+  void scatter(const Bundle& bundle, double choice, RayCounts& counts);
+  void reflect(const Bundle& bundle, const float* factors, RayCounts& counts);
+  void refract(const Bundle& bundle, double choice, RayCounts& counts);
+  [[nodiscard]] bool worthwhile(const float* throughput, const float* factors, int first,
+                                int last) const;
+
+  const Scene& scene_;
+  const Plan& plan_;
+  const World& world_;
+  PathWavelengths wavelengths_;
+  Fan fan_;
+  ShadowRays shadow_rays_;
+  DielectricScatter scatter_;
+  BandTable ones_;
+
+  std::vector<Bundle> waiting_;
+  std::vector<float> throughputs_; ///< rows of Plan::stride values, one per waiting bundle
+  std::vector<float> live_;        ///< 1 in the bands that can carry light, else 0
+  std::vector<float> throughput_;  ///< of the bundle being shaded
+  std::vector<float> lit_;         ///< the same after a shadow ray
+};
+
+} // namespace abbe

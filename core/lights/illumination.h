@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/lights/light.h"
+
+namespace abbe {
+
+/// A lamp as seen from a point.
+struct Illumination {
+  dvec3 direction{0.0};  ///< unit, towards the lamp
+  double distance = 0.0; ///< infinite for parallel light
+  /// Irradiance on a surface that faces the lamp, over pi, per unit of the lamp's spectrum; times a
+  /// diffuse reflectance and the cosine it is reflected radiance. 0 where the lamp does not shine.
+  double strength = 0.0;
+};
+
+[[nodiscard]] Illumination illumination(const Light& light, const dvec3& point);
+
+} // namespace abbe

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "spectral/curve.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <string>
+#include <variant>
+
+namespace abbe {
+
+using glm::dvec3;
+
+/// Light from one point to all sides.
+struct PointLight {
+  dvec3 position{0.0};
+};
+
+/// Parallel light that travels along `direction` (unit).
+struct DirectionalLight {
+  dvec3 direction{0.0, 0.0, -1.0};
+};
+
+/// Light from one point into a cone. Full inside `full_angle` of the axis, none outside
+/// `half_angle`, a smooth step between.
+struct SpotLight {
+  dvec3 position{0.0};
+  dvec3 axis{0.0, 0.0, -1.0}; ///< unit
+  double half_angle = 0.5;
+  double full_angle = 0.5;
+};
+
+/// `none`: the thesis's and Hill's lights; irradiance at normal incidence is pi times the value,
+/// at any distance. `square`: the value is radiant intensity; irradiance falls with distance
+/// squared.
+enum class Falloff : std::uint8_t { none, square };
+
+struct Light {
+  std::string name;
+  Curve spectrum = Curve::constant(1.0); ///< value per wavelength, intensity included
+  Falloff falloff = Falloff::none;
+  std::variant<PointLight, DirectionalLight, SpotLight> emitter;
+};
+
+} // namespace abbe

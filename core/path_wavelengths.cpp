@@ -1,0 +1,32 @@
+#include "core/path_wavelengths.h"
+
+namespace abbe {
+
+PathWavelengths::PathWavelengths(const Plan& plan) : plan_(plan), entries_(plan.media.size() + 1) {
+  for (Entry& entry : entries_)
+    entry.indices.resize(plan.stride, 1.0);
+}
+
+void PathWavelengths::begin_path(double offset) {
+  offset_ = offset;
+  ++path_;
+}
+
+const double* PathWavelengths::indices(MediumId medium) {
+  Entry& e = entry(medium);
+  if (e.path != path_) {
+    const IndexTable& index = plan_.medium(medium).index;
+    for (int b = 0; b < plan_.grid.count(); ++b)
+      e.indices[static_cast<std::size_t>(b)] = index.at(plan_.grid.wavelength_nm(b, offset_));
+    e.path = path_;
+  }
+  return e.indices.data();
+}
+
+double PathWavelengths::shared_index(MediumId medium, int first, int last) const {
+  const double lower = plan_.grid.lower_nm(first);
+  const double width = plan_.grid.width_nm() * (last - first);
+  return plan_.medium(medium).index.at(lower + offset_ * width);
+}
+
+} // namespace abbe

@@ -1,0 +1,218 @@
+#include "core/plan.h"
+
+#include "core/plan_tiles.h"
+#include "spectral/observer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace abbe {
+namespace {
+
+/// Builds the list of sources and their accumulators. At the standard's own sampling a source's
+/// spectrum can be multiplied in per band, so one accumulator serves all; elsewhere the product of
+/// spectrum and observer is folded per source, and equal spectra share an accumulator.
+class SourcePlanner {
+public:
+  SourcePlanner(Plan& plan) : plan_(plan) {
+    per_band_ = plan.grid.count() == 81 || plan.grid.count() == 405;
+    if (per_band_) add_accumulator(Curve::constant(1.0));
+  }
+
+  int add(const Curve& spectrum) {
+    SourcePlan source;
+    if (per_band_) {
+      const auto constant = spectrum.constant_value();
+      source.factor = constant && plan_.settings.skip
+                          ? BandTable(static_cast<float>(*constant), plan_.grid.count())
+                          : BandTable(band_means(plan_.grid, spectrum));
+    } else {
+      const auto known = std::find(spectra_.begin(), spectra_.end(), spectrum);
+      source.accumulator = static_cast<int>(known - spectra_.begin());
+      if (known == spectra_.end()) add_accumulator(spectrum);
+      source.factor = BandTable(1.0f, plan_.grid.count());
+    }
+    plan_.sources.push_back(std::move(source));
+    return static_cast<int>(plan_.sources.size()) - 1;
+  }
+
+private:
+  void add_accumulator(const Curve& spectrum) {
+    spectra_.push_back(spectrum);
+    AccumulatorPlan accumulator;
+    for (auto* axis : {&accumulator.x, &accumulator.y, &accumulator.z})
+      axis->resize(plan_.stride);
+    const auto weights = band_weights(plan_.grid, spectrum);
+    for (std::size_t b = 0; b < weights.size(); ++b) {
+      accumulator.x[b] = static_cast<float>(weights[b].x);
+      accumulator.y[b] = static_cast<float>(weights[b].y);
+      accumulator.z[b] = static_cast<float>(weights[b].z);
+    }
+    accumulator.radiance = BandTable(band_means(plan_.grid, spectrum));
+    plan_.accumulators.push_back(std::move(accumulator));
+  }
+
+  Plan& plan_;
+  bool per_band_;
+  std::vector<Curve> spectra_;
+};
+
+void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
+  const RenderSettings& settings = plan.settings;
+  const auto table = [&](const Curve& curve) {
+    return BandTable::at_centers(plan.grid, curve, settings.skip);
+  };
+  const auto largest = [&](const BandTable& t) {
+    float most = 0.0f;
+    for (int b = 0; b < plan.grid.count(); ++b)
+      most = std::max(most, t[b]);
+    return most;
+  };
+  for (const Material& material : scene.materials) {
+    MaterialPlan m;
+    m.ambient = table(material.ambient);
+    m.diffuse = table(material.diffuse);
+    m.specular = table(material.specular);
+    m.reflectivity = table(material.reflectivity);
+    m.transparency = table(material.transparency);
+    m.specular_exponent = static_cast<float>(material.specular_exponent);
+    m.fresnel = material.fresnel;
+    m.reflects = largest(m.reflectivity) > settings.min_reflectivity;
+    m.transmits = largest(m.transparency) > settings.min_transparency;
+    m.lit = !m.diffuse.zero() || !m.specular.zero();
+    if (material.emission.constant_value() != 0.0)
+      m.emission_source = sources.add(material.emission);
+    plan.materials.push_back(std::move(m));
+  }
+}
+
+void plan_media(const Scene& scene, Plan& plan) {
+  plan.vacuum.absorption_per_unit = BandTable(0.0f, plan.grid.count());
+  for (const Medium& medium : scene.media) {
+    MediumPlan m;
+    m.index = IndexTable(medium.index);
+    m.absorption_per_unit = BandTable::at_centers(
+        plan.grid, medium.absorption_per_mm.scaled(scene.mm_per_unit), plan.settings.skip);
+    m.absorbs = !m.absorption_per_unit.zero();
+    plan.media.push_back(std::move(m));
+  }
+}
+
+/// The bands in which some source emits and the observer sees something.
+void find_live_bands(Plan& plan) {
+  const auto alive = [&](int b) {
+    return std::any_of(plan.sources.begin(), plan.sources.end(), [&](const SourcePlan& s) {
+      const AccumulatorPlan& a = plan.accumulators[static_cast<std::size_t>(s.accumulator)];
+      const auto i = static_cast<std::size_t>(b);
+      const bool seen = a.x[i] != 0.0f || a.y[i] != 0.0f || a.z[i] != 0.0f;
+      return seen && s.factor[b] != 0.0f;
+    });
+  };
+  int first = 0, last = plan.grid.count();
+  while (first < last && !alive(first))
+    ++first;
+  while (last > first && !alive(last - 1))
+    --last;
+  plan.live_first = first;
+  plan.live_last = last;
+  plan.first_band = plan.settings.skip ? first : 0;
+  plan.last_band = plan.settings.skip ? last : plan.grid.count();
+  const int dead = plan.grid.count() - (last - first);
+  if (dead == 0) return;
+  plan.notes.push_back(fmt::format("{} of {} bands carry no light (only {:.1f} to {:.1f} nm do){}",
+                                   dead, plan.grid.count(), plan.grid.lower_nm(first),
+                                   last > first
+                                       ? plan.grid.lower_nm(last - 1) + plan.grid.width_nm()
+                                       : plan.grid.lower_nm(first),
+                                   plan.settings.skip ? ": left out" : ": carried, as asked"));
+}
+
+/// A power of two that is small against anything the scene can show: 2^-36 of its brightest source.
+/// Lamps whose light falls off count at the distance of the scene's size.
+double film_quantum(const Scene& scene) {
+  double brightest = std::max(to_xyz(scene.background).y, to_xyz(scene.global_ambient).y);
+  const double size = std::max(farthest_coordinate(scene), 1e-300);
+  for (const Light& light : scene.lights) {
+    const double value = to_xyz(light.spectrum).y;
+    brightest =
+        std::max(brightest, light.falloff == Falloff::square ? value / (size * size) : value);
+  }
+  for (const Material& material : scene.materials)
+    brightest = std::max(brightest, to_xyz(material.emission).y);
+  return brightest > 0.0 ? std::ldexp(1.0, std::ilogb(brightest) - 36) : 1.0;
+}
+
+void note_content(const Scene& scene, Plan& plan) {
+  const auto count = [](std::size_t n, const char* one, const char* many) {
+    return fmt::format("{} {}", n, n == 1 ? one : many);
+  };
+  const auto glasses = static_cast<std::size_t>(
+      std::count_if(plan.media.begin(), plan.media.end(),
+                    [](const MediumPlan& m) { return !m.index.achromatic(); }));
+  plan.notes.insert(plan.notes.begin(),
+                    fmt::format("{}, {}, {} ({} dispersive)",
+                                count(scene.shapes.size(), "shape", "shapes"),
+                                count(scene.lights.size(), "lamp", "lamps"),
+                                count(scene.media.size(), "medium", "media"), glasses));
+  const bool refracts = std::any_of(plan.materials.begin(), plan.materials.end(),
+                                    [](const MaterialPlan& m) { return m.transmits; });
+  if (!refracts)
+    plan.notes.push_back("nothing refracts: no Fresnel, no fans");
+  else if (glasses == 0)
+    plan.notes.push_back("no medium disperses: bands never part, no fans");
+  const auto empty = static_cast<std::size_t>(
+      std::count_if(plan.tiles.begin(), plan.tiles.end(), [](const Tile& t) { return t.empty; }));
+  if (empty > 0)
+    plan.notes.push_back(fmt::format("{} of {} show the background alone: no rays there", empty,
+                                     count(plan.tiles.size(), "tile", "tiles")));
+}
+
+} // namespace
+
+double farthest_coordinate(const Scene& scene) {
+  double farthest = 0.0;
+  const auto include = [&](const dvec3& p) {
+    farthest = std::max({farthest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  };
+  include(scene.camera.eye);
+  for (const PlacedShape& shape : scene.shapes)
+    farthest = std::max(farthest, bounds(shape).largest_coordinate());
+  for (const Light& light : scene.lights) {
+    if (const auto* point = std::get_if<PointLight>(&light.emitter)) include(point->position);
+    if (const auto* spot = std::get_if<SpotLight>(&light.emitter)) include(spot->position);
+  }
+  return farthest;
+}
+
+Plan make_plan(const Scene& scene, const RenderSettings& settings) {
+  Plan plan;
+  plan.settings = settings;
+  plan.grid = BandGrid(settings.bands);
+  plan.stride = padded_band_count(settings.bands);
+
+  SourcePlanner sources(plan);
+  sources.add(scene.background);
+  sources.add(scene.global_ambient);
+  for (const Light& light : scene.lights)
+    sources.add(light.spectrum);
+  plan_materials(scene, plan, sources);
+  plan_media(scene, plan);
+  find_live_bands(plan);
+
+  const PixelWindow full{0, 0, settings.width, settings.height};
+  plan.window = settings.crop.value_or(full);
+  if (plan.window.x0 < 0 || plan.window.y0 < 0 || plan.window.x1 > full.x1 ||
+      plan.window.y1 > full.y1 || plan.window.width() <= 0 || plan.window.height() <= 0)
+    throw std::invalid_argument(
+        fmt::format("the crop {},{},{},{} is not a part of the {} x {} image", plan.window.x0,
+                    plan.window.y0, plan.window.x1, plan.window.y1, full.x1, full.y1));
+  plan.tiles = make_tiles(scene, plan.window, settings);
+  plan.quantum = film_quantum(scene);
+  note_content(scene, plan);
+  return plan;
+}
+
+} // namespace abbe

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "core/band_table.h"
+#include "core/index_table.h"
+#include "core/scene.h"
+#include "spectral/color.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace abbe {
+
+/// Something that emits: what the path gathers from it is summed in band accumulator
+/// `accumulator`, weighted per band by `factor`.
+struct SourcePlan {
+  int accumulator = 0;
+  BandTable factor;
+};
+
+/// A material at the bands, and which of its parts are there at all.
+struct MaterialPlan {
+  BandTable ambient, diffuse, specular, reflectivity, transparency;
+  float specular_exponent = 1.0f;
+  bool fresnel = true;
+  bool reflects = false, transmits = false, lit = false;
+  int emission_source = -1; ///< index into Plan::sources; negative: emits nothing
+};
+
+/// A medium at the bands.
+struct MediumPlan {
+  IndexTable index;
+  BandTable absorption_per_unit; ///< per scene unit of length
+  bool absorbs = false;
+};
+
+/// A block of pixels rendered by one thread at a time.
+struct Tile {
+  PixelWindow window;
+  bool empty = false; ///< no shape's bounds reach it, so every ray there meets the background
+};
+
+/// Turns one band accumulator into colour and mean radiance.
+struct AccumulatorPlan {
+  std::vector<float> x, y, z; ///< XYZ weights, padded
+  BandTable radiance;         ///< mean spectral radiance per unit of the accumulator
+};
+
+/// What a scene needs under given settings, and what may be left out; computed once.
+struct Plan {
+  RenderSettings settings;
+  BandGrid grid{81};
+  std::size_t stride = 0;            ///< padded length of a band array
+  int first_band = 0, last_band = 0; ///< only these bands can carry light to an observer
+  int live_first = 0, live_last = 0; ///< the same, whether or not skipping is on
+
+  std::vector<SourcePlan> sources; ///< background, ambient light, the lamps, emitting materials
+  std::vector<AccumulatorPlan> accumulators;
+  std::vector<MaterialPlan> materials; ///< by MaterialId
+  std::vector<MediumPlan> media;       ///< by MediumId
+  MediumPlan vacuum;
+
+  PixelWindow window; ///< what is rendered
+  std::vector<Tile> tiles;
+  double quantum = 1.0; ///< of the film's sums
+
+  std::vector<std::string> notes; ///< what was found and what is left out, for people
+
+  static constexpr int kBackground = 0, kAmbient = 1;
+  [[nodiscard]] int light_source(std::size_t light) const { return 2 + static_cast<int>(light); }
+  [[nodiscard]] const MediumPlan& medium(MediumId id) const {
+    return id.valid() ? media[id.index()] : vacuum;
+  }
+};
+
+/// Throws std::invalid_argument for settings that make no sense (a crop outside the image, say).
+[[nodiscard]] Plan make_plan(const Scene& scene, const RenderSettings& settings);
+
+/// The largest magnitude of a coordinate at which the scene has a shape, a lamp or its camera.
+[[nodiscard]] double farthest_coordinate(const Scene& scene);
+
+} // namespace abbe

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/film.h"
+#include "core/plan.h"
+#include "core/statistics.h"
+#include "geometry/world.h"
+
+#include <atomic>
+#include <functional>
+
+namespace abbe {
+
+/// How far a rendering has come.
+struct RenderProgress {
+  double fraction = 0.0; ///< of all samples
+  double seconds = 0.0;  ///< since the start
+  RayCounts rays;
+};
+
+/// Called now and then by one of the rendering threads, never by two at once.
+using ProgressCallback = std::function<void(const RenderProgress&)>;
+
+struct Rendering {
+  Film film;
+  RayCounts rays;
+  double seconds = 0.0;
+  bool complete = true; ///< false when it was stopped
+};
+
+/// Renders the planned window. `keep_bands` makes the film keep every band besides XYZ. Setting
+/// `stop` from anywhere ends the rendering soon; what is done is returned.
+[[nodiscard]] Rendering render(const Scene& scene, const Plan& plan, const World& world,
+                               bool keep_bands, const ProgressCallback& progress,
+                               const std::atomic<bool>& stop);
+
+} // namespace abbe

@@ -1,0 +1,116 @@
+#include "core/sampler.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace abbe {
+namespace {
+
+std::uint64_t mixed(std::uint64_t x) { // the finaliser of SplitMix64 [Steele14]
+  x += 0x9e3779b97f4a7c15ull;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
+  return x ^ (x >> 31);
+}
+
+std::uint32_t bits_reversed(std::uint32_t x) {
+  x = __builtin_bswap32(x);
+  x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+  x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+  return ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+}
+
+/// Owen's nested uniform scramble by hashing from the low bits upwards [Laine11, Vegdahl21].
+std::uint32_t owen_scrambled(std::uint32_t x, std::uint32_t seed) {
+  x = bits_reversed(x);
+  x ^= x * 0x3d20adeau;
+  x += seed;
+  x *= (seed >> 16) | 1u;
+  x ^= x * 0x05526c56u;
+  x ^= x * 0x53a22864u;
+  return bits_reversed(x);
+}
+
+/// The second dimension of Sobol's sequence; the first is the reversed index.
+std::uint32_t sobol_second(std::uint32_t index) {
+  std::uint32_t result = 0;
+  for (std::uint32_t v = 1u << 31; index; index >>= 1, v ^= v >> 1)
+    if (index & 1u) result ^= v;
+  return result;
+}
+
+double unit(std::uint32_t x) {
+  return x * 0x1p-32;
+}
+
+constexpr double kGaussianSigma = 0.5, kGaussianRadius = 1.5;
+
+/// The inverse of the cut-off normal distribution's cumulative, by bisection once, then a table.
+double gaussian_offset(double u) {
+  constexpr int kSteps = 1024;
+  static const auto table = [] {
+    const auto cumulative = [](double x) {
+      return 0.5 * (1.0 + std::erf(x / (kGaussianSigma * std::sqrt(2.0))));
+    };
+    const double low = cumulative(-kGaussianRadius), high = cumulative(kGaussianRadius);
+    std::array<double, kSteps + 1> inverse{};
+    for (int i = 0; i <= kSteps; ++i) {
+      double a = -kGaussianRadius, b = kGaussianRadius;
+      for (int k = 0; k < 60; ++k) {
+        const double middle = 0.5 * (a + b);
+        (cumulative(middle) < low + (high - low) * i / kSteps ? a : b) = middle;
+      }
+      inverse[static_cast<std::size_t>(i)] = 0.5 * (a + b);
+    }
+    return inverse;
+  }();
+  const double x = u * kSteps;
+  const auto i = static_cast<std::size_t>(std::min(x, kSteps - 1.0));
+  return std::lerp(table[i], table[i + 1], x - static_cast<double>(i));
+}
+
+double tent_offset(double u) {
+  return u < 0.5 ? std::sqrt(2.0 * u) - 1.0 : 1.0 - std::sqrt(2.0 - 2.0 * u);
+}
+
+} // namespace
+
+Sampler::Sampler(int pixel_x, int pixel_y, std::uint32_t sample_index, std::uint64_t seed)
+    : index_(sample_index),
+      key_(mixed(mixed(seed) ^
+                 (static_cast<std::uint64_t>(static_cast<std::uint32_t>(pixel_x)) << 32 |
+                  static_cast<std::uint32_t>(pixel_y)))) {}
+
+dvec2 Sampler::pair(std::uint32_t purpose) const {
+  const std::uint64_t a = mixed(key_ + purpose), b = mixed(a);
+  const std::uint32_t index = owen_scrambled(index_, static_cast<std::uint32_t>(a));
+  return {unit(owen_scrambled(bits_reversed(index), static_cast<std::uint32_t>(a >> 32))),
+          unit(owen_scrambled(sobol_second(index), static_cast<std::uint32_t>(b)))};
+}
+
+dvec2 filter_offset(PixelFilter filter, const dvec2& u) {
+  switch (filter) {
+  case PixelFilter::box:
+    return u - 0.5;
+  case PixelFilter::tent:
+    return {tent_offset(u.x), tent_offset(u.y)};
+  case PixelFilter::gaussian:
+    return {gaussian_offset(u.x), gaussian_offset(u.y)};
+  }
+  return {};
+}
+
+double filter_radius(PixelFilter filter) {
+  switch (filter) {
+  case PixelFilter::box:
+    return 0.5;
+  case PixelFilter::tent:
+    return 1.0;
+  case PixelFilter::gaussian:
+    return kGaussianRadius;
+  }
+  return 0.0;
+}
+
+} // namespace abbe

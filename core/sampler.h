@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/settings.h"
+
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+
+namespace abbe {
+
+using glm::dvec2;
+
+/// The random numbers of one camera sample. They depend on pixel, sample index and seed alone.
+/// Each pair of dimensions is an Owen-scrambled Sobol' (0,2)-sequence over the sample index
+/// [Burley20], so any power-of-two number of samples is stratified in it.
+class Sampler {
+public:
+  Sampler(int pixel_x, int pixel_y, std::uint32_t sample_index, std::uint64_t seed);
+
+  /// Two numbers in [0, 1) for one purpose. Purposes are statistically independent.
+  [[nodiscard]] dvec2 pair(std::uint32_t purpose) const;
+
+private:
+  std::uint32_t index_;
+  std::uint64_t key_;
+};
+
+/// What the pairs of numbers of a camera sample are for.
+enum SamplePurpose : std::uint32_t {
+  kPixelPosition = 0,
+  kWavelength = 1, ///< x: place inside the band, y: which band of a stratum is kept
+};
+
+/// A position relative to the pixel's centre, in pixels, distributed like the filter.
+[[nodiscard]] dvec2 filter_offset(PixelFilter filter, const dvec2& u);
+
+/// How far from the pixel's centre the filter reaches, in pixels.
+[[nodiscard]] double filter_radius(PixelFilter filter);
+
+} // namespace abbe

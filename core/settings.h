@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/image.h"
+#include "geometry/world.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace abbe {
+
+enum class Integrator : std::uint8_t { whitted };
+
+/// How a shadow ray treats what lies between a surface and a lamp: any surface stops it, or
+/// transparent ones let it pass straight on, weakened by their transmittance (as the thesis's
+/// author hoped to add).
+enum class ShadowRule : std::uint8_t { none, opaque, attenuated };
+
+/// The reconstruction filter, sampled in proportion to its value; `gaussian` has a standard
+/// deviation of half a pixel and ends at 1.5 pixels, `tent` ends at 1, `box` at half a pixel.
+enum class PixelFilter : std::uint8_t { box, tent, gaussian };
+
+/// Everything about a rendering that is not the scene itself. A scene file may set it, the command
+/// line overrides it.
+struct RenderSettings {
+  int width = 512, height = 512;
+  std::optional<PixelWindow> crop; ///< only these pixels are rendered
+  int bands = 81;
+  int samples_per_pixel = 16;
+  std::uint64_t seed = 0;
+  Integrator integrator = Integrator::whitted;
+  PixelFilter filter = PixelFilter::gaussian;
+
+  int max_depth = 16;            ///< surfaces met one after the other by a path
+  double min_throughput = 1e-3;  ///< a branch whose every band carries less is dropped
+  double min_reflectivity = 0.0; ///< the thesis's: no reflected ray from surfaces below it
+  double min_transparency = 0.0; ///< the thesis's: no refracted ray through surfaces below it
+  ShadowRule shadows = ShadowRule::attenuated;
+
+  bool exact = false;             ///< every band its own ray: neither tolerance nor roulette
+  bool jitter = true;             ///< wavelengths drawn inside the bands instead of their centres
+  double tolerance_pixels = 0.25; ///< bands share a ray while their spread is below this
+  int max_fan = 32;               ///< at most so many sub-bundles of one path are followed
+
+  int threads = 0;  ///< 0: one per processor
+  bool skip = true; ///< leave out what the plan finds to be without effect
+  Tracing tracing = Tracing::packets;
+};
+
+} // namespace abbe

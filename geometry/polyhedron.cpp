@@ -1,0 +1,152 @@
+#include "geometry/polyhedron.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace abbe {
+namespace {
+
+/// See sphere.cpp: a plane missed by `shift` moves the root by shift / |n.d|.
+double root_error(const LocalRay& ray, const HalfSpace& plane, double denom, double t) {
+  const double reach = std::abs(plane.offset) + glm::length(ray.origin);
+  const double shift = ray.coordinate_error + 16.0 * kRoundoff * reach;
+  return shift / std::abs(denom) + 4.0 * kRoundoff * std::abs(t);
+}
+
+/// Every point where three planes meet that no half-space excludes.
+std::vector<dvec3> corners(const std::vector<HalfSpace>& planes) {
+  std::vector<dvec3> found;
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    for (std::size_t j = i + 1; j < planes.size(); ++j) {
+      const dvec3 edge = glm::cross(planes[i].normal, planes[j].normal);
+      for (std::size_t k = j + 1; k < planes.size(); ++k) {
+        const double volume = glm::dot(edge, planes[k].normal);
+        if (std::abs(volume) < 1e-12) continue; // three planes through one line, or parallel
+        const dvec3 p = (planes[k].offset * edge +
+                         planes[i].offset * glm::cross(planes[j].normal, planes[k].normal) +
+                         planes[j].offset * glm::cross(planes[k].normal, planes[i].normal)) /
+                        volume;
+        const double slack = 1e-9 * (1.0 + glm::length(p));
+        if (std::all_of(planes.begin(), planes.end(), [&](const HalfSpace& h) {
+              return glm::dot(h.normal, p) <= h.offset + slack;
+            }))
+          found.push_back(p);
+      }
+    }
+  return found;
+}
+
+/// True when the half-spaces leave some direction open: a direction d with n.d <= 0 for all n.
+/// Candidates are the lines in which pairs of planes meet, and each normal's opposite.
+bool open_somewhere(const std::vector<HalfSpace>& planes) {
+  const auto open = [&](const dvec3& d) {
+    return std::all_of(planes.begin(), planes.end(), [&](const HalfSpace& h) {
+      return glm::dot(h.normal, d) <= 1e-12 * glm::length(d);
+    });
+  };
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (open(-planes[i].normal)) return true;
+    for (std::size_t j = i + 1; j < planes.size(); ++j) {
+      const dvec3 d = glm::cross(planes[i].normal, planes[j].normal);
+      if (glm::length(d) > 1e-12 && (open(d) || open(-d))) return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+bool narrow(Interval& candidate, const HalfSpace& half_space, int face, const LocalRay& ray) {
+  const double denom = glm::dot(half_space.normal, ray.direction);
+  const double numer = half_space.offset - glm::dot(half_space.normal, ray.origin);
+  if (denom == 0.0) return numer >= 0.0;
+  const double t = numer / denom;
+  const Root root{t, root_error(ray, half_space, denom, t), {0, face}};
+  if (denom < 0.0) {
+    if (t > candidate.enter.t) candidate.enter = root;
+  } else {
+    if (t < candidate.exit.t) candidate.exit = root;
+  }
+  return candidate.enter.t <= candidate.exit.t;
+}
+
+ConvexPolyhedron::ConvexPolyhedron(std::vector<HalfSpace> half_spaces)
+    : half_spaces_(std::move(half_spaces)) {
+  for (HalfSpace& h : half_spaces_) {
+    const double length = glm::length(h.normal);
+    if (!(length > 0.0)) throw std::invalid_argument("a plane needs a normal of non-zero length");
+    h.normal /= length;
+    h.offset /= length;
+  }
+  vertices_ = corners(half_spaces_);
+  if (vertices_.size() < 4) throw std::invalid_argument("the planes enclose no volume");
+  if (open_somewhere(half_spaces_))
+    throw std::invalid_argument("the planes leave the solid open to infinity");
+}
+
+ConvexPolyhedron thesis_prism() {
+  const double h = std::numbers::sqrt3 / 2.0;
+  return ConvexPolyhedron(
+      {{{0, 1, 0}, 1}, {{0, -1, 0}, 1}, {{0, 0, 1}, 1}, {{-h, 0, -0.5}, 1}, {{h, 0, -0.5}, 1}});
+}
+
+std::optional<Interval> intersect(const ConvexPolyhedron& solid, const LocalRay& ray,
+                                  const FaceContact* contact) {
+  const auto& planes = solid.half_spaces();
+  Interval inside;
+  if (contact) {
+    if (contact->side == Side::outside) return std::nullopt; // convex: never met again
+    // Known to be inside: every other face can only end the interval, never begin or empty it.
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      if (static_cast<int>(i) == contact->face) continue;
+      const double denom = glm::dot(planes[i].normal, ray.direction);
+      if (denom <= 0.0) continue;
+      const double t = (planes[i].offset - glm::dot(planes[i].normal, ray.origin)) / denom;
+      if (t < inside.exit.t)
+        inside.exit = {t, root_error(ray, planes[i], denom, t), {0, static_cast<int>(i)}};
+    }
+    inside.enter = {0.0, 0.0, {0, contact->face}};
+    inside.exit.t = std::max(0.0, inside.exit.t);
+    return inside;
+  }
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (!narrow(inside, planes[i], static_cast<int>(i), ray)) return std::nullopt;
+  return inside;
+}
+
+dvec3 outward_normal(const ConvexPolyhedron& solid, const dvec3&, int face) {
+  return solid.half_spaces()[static_cast<std::size_t>(face)].normal;
+}
+
+dvec3 snapped(const ConvexPolyhedron& solid, const dvec3& point, int face) {
+  const HalfSpace& h = solid.half_spaces()[static_cast<std::size_t>(face)];
+  return point - (glm::dot(h.normal, point) - h.offset) * h.normal;
+}
+
+int nearest_face(const ConvexPolyhedron& solid, const dvec3& point) {
+  const auto& planes = solid.half_spaces();
+  const auto height = [&](const HalfSpace& h) { return glm::dot(h.normal, point) - h.offset; };
+  const auto highest =
+      std::max_element(planes.begin(), planes.end(), [&](const HalfSpace& a, const HalfSpace& b) {
+        return height(a) < height(b);
+      });
+  return static_cast<int>(highest - planes.begin());
+}
+
+double signed_distance(const ConvexPolyhedron& solid, const dvec3& point) {
+  const HalfSpace& h = solid.half_spaces()[static_cast<std::size_t>(nearest_face(solid, point))];
+  return glm::dot(h.normal, point) - h.offset;
+}
+
+Bounds bounds(const ConvexPolyhedron& solid, const Transform& to_world) {
+  Bounds box;
+  for (const dvec3& v : solid.vertices()) {
+    const dvec3 p = to_world.point(v);
+    box = box.joined({p, p});
+  }
+  return box;
+}
+
+} // namespace abbe

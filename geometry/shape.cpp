@@ -1,0 +1,65 @@
+#include "geometry/shape.h"
+
+namespace abbe {
+
+bool is_solid(const Shape& shape) {
+  return !std::holds_alternative<Square>(shape);
+}
+
+bool contains(const PlacedShape& placed, const dvec3& world_point) {
+  const dvec3 p = placed.to_world.inverse_point(world_point);
+  return std::visit(
+      [&](const auto& shape) {
+        if constexpr (requires { signed_distance(shape, p); })
+          return signed_distance(shape, p) < 0.0;
+        else
+          return false;
+      },
+      placed.shape);
+}
+
+Bounds bounds(const PlacedShape& placed) {
+  return std::visit([&](const auto& shape) { return bounds(shape, placed.to_world); },
+                    placed.shape);
+}
+
+std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& ray,
+                                           const ShapeState& state) {
+  CsgContact contact;
+  if (state.touching) {
+    const bool flipped = tree.leaves()[static_cast<std::size_t>(state.face.leaf)].flipped;
+    const bool inside_leaf = state.inside != flipped;
+    contact = {state.face.leaf, {state.face.face, inside_leaf ? Side::inside : Side::outside}};
+  }
+  thread_local std::vector<Interval> intervals;
+  intervals.clear();
+  intersect(tree, ray, state.touching ? &contact : nullptr, intervals);
+
+  if (state.inside) {
+    for (const Interval& i : intervals) {
+      if (i.exit.t < 0.0 || (state.touching && i.exit.t == 0.0 && i.exit.face == state.face))
+        continue;
+      if (i.enter.t > 0.0 && i.enter.t > i.enter.t_error) break; // a later part of the solid
+      return ShapeCrossing{i.exit.t, i.exit.t_error, i.exit.face, false};
+    }
+    return ShapeCrossing{0.0, 0.0, nearest_face(tree, ray.origin), false};
+  }
+  for (const Interval& i : intervals) {
+    if (state.touching && i.enter.t == 0.0 && i.enter.face == state.face) continue;
+    if (i.enter.t >= 0.0) return ShapeCrossing{i.enter.t, i.enter.t_error, i.enter.face, true};
+    if (-i.enter.t <= i.enter.t_error && i.exit.t > -i.enter.t)
+      return ShapeCrossing{0.0, i.enter.t_error, i.enter.face, true};
+  }
+  return std::nullopt;
+}
+
+std::optional<ShapeCrossing> next_crossing(const Square& square, const LocalRay& ray,
+                                           const ShapeState& state) {
+  if (state.touching) return std::nullopt;
+  const auto root = intersect(square, ray);
+  if (!root) return std::nullopt;
+  if (root->t >= 0.0) return ShapeCrossing{root->t, root->t_error, {}, true};
+  return std::nullopt;
+}
+
+} // namespace abbe

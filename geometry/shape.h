@@ -1,0 +1,72 @@
+#pragma once
+
+#include "geometry/csg.h"
+#include "geometry/flat.h"
+
+#include <optional>
+#include <variant>
+
+namespace abbe {
+
+/// Everything that can stand in a scene.
+using Shape = std::variant<Sphere, Box, ConvexPolyhedron, CsgTree, Square>;
+
+/// A shape at its place, with what a ray must know when it meets it.
+struct PlacedShape {
+  Shape shape;
+  Transform to_world;
+  MaterialId material; ///< the finish of its surface
+  MediumId medium;     ///< what fills it; invalid: nothing passes (opaque), or it has no inside
+  int priority = 0;    ///< where solids overlap, the medium of the highest priority is there
+};
+
+/// True when the shape has an inside.
+[[nodiscard]] bool is_solid(const Shape& shape);
+/// True when the world point lies inside the solid.
+[[nodiscard]] bool contains(const PlacedShape& placed, const dvec3& world_point);
+[[nodiscard]] Bounds bounds(const PlacedShape& placed);
+
+/// Where a ray next crosses a shape's boundary.
+struct ShapeCrossing {
+  double t = 0.0;
+  double t_error = 0.0;
+  FaceId face;
+  bool entering = false; ///< from outside to inside; true also for shapes without an inside
+};
+
+/// What a ray already knows about a shape: whether it is inside, and whether its origin lies on
+/// one of the faces (`face`), on the solid's side that `inside` tells.
+struct ShapeState {
+  bool inside = false;
+  bool touching = false;
+  FaceId face;
+};
+
+// The next crossing of one shape, t >= 0. A ray known to be inside always finds a way out: where
+// rounding leaves none, it is at t = 0 through the nearest face. A ray known to be outside only
+// enters. The root of the touched face is never returned.
+[[nodiscard]] std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& ray,
+                                                         const ShapeState& state);
+[[nodiscard]] std::optional<ShapeCrossing> next_crossing(const Square& square, const LocalRay& ray,
+                                                         const ShapeState& state);
+template <ConvexSolid S>
+[[nodiscard]] std::optional<ShapeCrossing> next_crossing(const S& solid, const LocalRay& ray,
+                                                         const ShapeState& state) {
+  if (state.touching && !state.inside) return std::nullopt; // convex: never met again
+  const FaceContact contact{state.face.face, Side::inside};
+  const auto interval = intersect(solid, ray, state.touching ? &contact : nullptr);
+  if (state.inside) {
+    if (!interval) return ShapeCrossing{0.0, 0.0, {0, nearest_face(solid, ray.origin)}, false};
+    const Root& exit = interval->exit;
+    return ShapeCrossing{exit.t > 0.0 ? exit.t : 0.0, exit.t_error, exit.face, false};
+  }
+  if (!interval) return std::nullopt;
+  const Root& enter = interval->enter;
+  if (enter.t >= 0.0) return ShapeCrossing{enter.t, enter.t_error, enter.face, true};
+  // Behind the origin by no more than rounding, with the solid ahead: it is entered here.
+  if (-enter.t <= enter.t_error && interval->exit.t > -enter.t)
+    return ShapeCrossing{0.0, enter.t_error, enter.face, true};
+  return std::nullopt;
+}
+
+} // namespace abbe

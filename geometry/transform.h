@@ -1,0 +1,69 @@
+#pragma once
+
+#include "geometry/interval.h"
+#include "geometry/ray.h"
+
+#include <glm/mat3x3.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace abbe {
+
+/// An axis-aligned box; empty while lower > upper.
+struct Bounds {
+  dvec3 lower{1e300};
+  dvec3 upper{-1e300};
+
+  [[nodiscard]] bool empty() const { return lower.x > upper.x; }
+  [[nodiscard]] double largest_coordinate() const;
+  [[nodiscard]] Bounds joined(const Bounds& other) const;
+  [[nodiscard]] Bounds overlap(const Bounds& other) const;
+  [[nodiscard]] Bounds grown(double margin) const;
+};
+
+/// An invertible affine map x -> linear * x + offset, kept with its inverse.
+class Transform {
+public:
+  Transform() = default;
+  /// Throws std::invalid_argument when `linear` has no inverse.
+  Transform(const glm::dmat3& linear, const dvec3& offset);
+
+  [[nodiscard]] static Transform translation(const dvec3& offset);
+  [[nodiscard]] static Transform scaling(const dvec3& factors);
+  /// Right-handed rotation about `axis` (any length but zero).
+  [[nodiscard]] static Transform rotation(double angle_deg, const dvec3& axis);
+
+  /// First `inner`, then this.
+  [[nodiscard]] Transform after(const Transform& inner) const;
+  [[nodiscard]] Transform inverse() const;
+
+  [[nodiscard]] dvec3 point(const dvec3& p) const { return linear_ * p + offset_; }
+  [[nodiscard]] dvec3 vector(const dvec3& v) const { return linear_ * v; }
+  [[nodiscard]] dvec3 inverse_point(const dvec3& p) const { return inverse_ * (p - offset_); }
+  [[nodiscard]] dvec3 inverse_vector(const dvec3& v) const { return inverse_ * v; }
+  /// Maps a surface normal (by the inverse transpose); the result has unit length.
+  [[nodiscard]] dvec3 normal(const dvec3& n) const;
+  /// The ray seen from this transform's own frame; t keeps its meaning.
+  [[nodiscard]] Ray inverse_ray(const Ray& ray) const {
+    return {inverse_point(ray.origin), inverse_vector(ray.direction)};
+  }
+  /// Bound on the rounding error of inverse_point(p), given that of p.
+  [[nodiscard]] double inverse_error(const dvec3& p, double p_error) const {
+    const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    return inverse_norm_ * (p_error + 8.0 * kRoundoff * (largest + offset_size_));
+  }
+  /// Box around the mapped box.
+  [[nodiscard]] Bounds box(const Bounds& bounds) const;
+  /// Box around the mapped unit sphere, exact for every affine map.
+  [[nodiscard]] Bounds unit_sphere_box() const;
+
+private:
+  glm::dmat3 linear_{1.0};
+  dvec3 offset_{0.0};
+  glm::dmat3 inverse_{1.0};
+  double inverse_norm_ = 1.0; ///< largest sum of a row's magnitudes
+  double offset_size_ = 0.0;  ///< largest magnitude of an offset
+};
+
+} // namespace abbe

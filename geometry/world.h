@@ -1,0 +1,57 @@
+#pragma once
+
+#include "geometry/ray_state.h"
+#include "geometry/shape.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace abbe {
+
+/// Whether rays that run close together are handed to Embree together. The answers are the same.
+enum class Tracing : std::uint8_t { single, packets };
+
+/// The shapes of a scene in Embree's hierarchies. Embree, in single precision, only proposes
+/// candidates; every crossing is found and compared in double, so the answer depends neither on
+/// the order of traversal nor on the width of packets.
+class World {
+public:
+  /// `farthest_coordinate` is the largest magnitude of a coordinate from which rays start outside
+  /// the shapes (cameras, lamps); bounds are padded for it. Throws std::runtime_error when Embree
+  /// fails.
+  World(const std::vector<PlacedShape>& shapes, double farthest_coordinate);
+  ~World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+
+  /// The first visible boundary along the ray. Boundaries between equal media, and those hidden
+  /// inside a solid of higher priority, are passed.
+  [[nodiscard]] std::optional<Hit> closest(const RayState& state) const;
+
+  /// The same for rays that run close together; `hits` has the length of `states`.
+  void closest(std::span<const RayState> states, std::span<std::optional<Hit>> hits,
+               Tracing tracing) const;
+
+  /// True when any boundary lies strictly between the origin and `distance` along the ray.
+  [[nodiscard]] bool occluded(const RayState& state, double distance) const;
+
+  /// The solids around a point; slow (asks each), for cameras and lamps.
+  [[nodiscard]] Nesting nesting_at(const dvec3& point) const;
+  /// The medium at a place inside these solids: that of the highest priority, among equals of
+  /// the shape defined last. Invalid: no solid with a medium.
+  [[nodiscard]] MediumId medium_of(const Nesting& nesting) const;
+
+  [[nodiscard]] const std::vector<PlacedShape>& shapes() const;
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// "3.13.5", as the linked Embree reports it.
+[[nodiscard]] std::string embree_version();
+
+} // namespace abbe

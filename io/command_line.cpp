@@ -1,0 +1,222 @@
+#include "io/command_line.h"
+
+#include "geometry/world.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <map>
+
+#ifndef ABBE_VERSION
+#define ABBE_VERSION "unknown"
+#endif
+
+namespace abbe {
+namespace {
+
+template <class T>
+void replace(T& setting, const std::optional<T>& given) {
+  if (given) setting = *given;
+}
+
+/// Whole numbers separated by one character; throws CLI::ValidationError for anything else.
+std::vector<int> whole_numbers(const std::string& text, char separator, std::size_t count,
+                               const std::string& right) {
+  std::vector<int> numbers;
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (true) {
+    int value = 0;
+    const auto [next, error] = std::from_chars(at, end, value);
+    if (error != std::errc()) break;
+    numbers.push_back(value);
+    at = next;
+    if (at == end || *at != separator) break;
+    ++at;
+  }
+  if (at != end || numbers.size() != count)
+    throw CLI::ValidationError(fmt::format("\"{}\" is not {}", text, right));
+  return numbers;
+}
+
+/// An option that takes one of a few words.
+template <class T>
+void add_choice(CLI::App& app, const std::string& names, std::optional<T>& target,
+                const std::map<std::string, T>& choices, const std::string& help) {
+  std::vector<std::string> words;
+  for (const auto& [word, value] : choices)
+    words.push_back(word);
+  app.add_option_function<std::string>(
+         names, [&target, choices](const std::string& word) { target = choices.at(word); }, help)
+      ->check(CLI::IsMember(words))
+      ->type_name(fmt::format("{}", fmt::join(words, "|")));
+}
+
+void add_settings(CLI::App& app, SettingsOverride& s) {
+  const std::map<std::string, bool> on_off{{"on", true}, {"off", false}};
+  app.add_option("--bands", s.bands, "Wavelength bands, 1 to 405 (default 81)")
+      ->check(CLI::Range(1, 405));
+  app.add_option("--spp", s.samples_per_pixel, "Samples per pixel (default 16)")
+      ->check(CLI::Range(1, 1 << 24));
+  app.add_option_function<std::string>(
+         "--size",
+         [&s](const std::string& text) {
+           const auto n = whole_numbers(text, 'x', 2, "a size such as 640x480");
+           if (n[0] < 1 || n[1] < 1 || n[0] > 65536 || n[1] > 65536)
+             throw CLI::ValidationError("an image has 1 to 65536 pixels per side");
+           s.width = n[0];
+           s.height = n[1];
+         },
+         "Image size in pixels (default 512x512)")
+      ->type_name("WxH");
+  app.add_option_function<std::string>(
+         "--crop",
+         [&s](const std::string& text) {
+           const auto n = whole_numbers(text, ',', 4, "a crop x0,y0,x1,y1");
+           s.crop = PixelWindow{n[0], n[1], n[2], n[3]};
+         },
+         "Render only pixels x0 <= x < x1, y0 <= y < y1, counted from the upper left corner")
+      ->type_name("x0,y0,x1,y1");
+  add_choice<Integrator>(app, "--integrator", s.integrator, {{"whitted", Integrator::whitted}},
+                         "Model of light transport");
+  app.add_option("--depth", s.max_depth, "Surfaces a path may meet (default 16)")
+      ->check(CLI::Range(0, 1 << 20));
+  app.add_option("--cutoff", s.min_throughput,
+                 "Branches that carry less than this in every band are dropped (default 0.001)")
+      ->check(CLI::NonNegativeNumber);
+  add_choice<ShadowRule>(app, "--shadows", s.shadows,
+                         {{"none", ShadowRule::none},
+                          {"opaque", ShadowRule::opaque},
+                          {"attenuated", ShadowRule::attenuated}},
+                         "What glass does to shadow rays (default attenuated)");
+  add_choice<PixelFilter>(
+      app, "--filter", s.filter,
+      {{"box", PixelFilter::box}, {"tent", PixelFilter::tent}, {"gaussian", PixelFilter::gaussian}},
+      "Pixel filter (default gaussian)");
+  app.add_flag_callback(
+      "--exact", [&s] { s.exact = true; }, "Every band its own ray: no tolerance, no roulette");
+  app.add_option("--tolerance", s.tolerance_pixels,
+                 "Bands share a ray while it strays less than this many pixels (default 0.25)")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--fan", s.max_fan, "Most sub-bundles that one path follows (default 32)")
+      ->check(CLI::Range(1, 405));
+  add_choice<bool>(app, "--jitter", s.jitter, on_off, "Draw wavelengths inside bands (default on)");
+  app.add_option("--seed", s.seed, "Seed of the random numbers (default 0)");
+  app.add_option("--threads", s.threads, "Threads (default: one per processor)")
+      ->check(CLI::Range(1, 4096));
+  add_choice<bool>(app, "--skip", s.skip, on_off,
+                   "Leave out what the plan finds to be without effect (default on)");
+  add_choice<Tracing>(app, "--tracing", s.tracing,
+                      {{"single", Tracing::single}, {"packets", Tracing::packets}},
+                      "How rays are handed to Embree; the picture is the same (default packets)");
+}
+
+void add_outputs(CLI::App& app, Options& options) {
+  app.add_option("-o,--output", options.outputs,
+                 "Picture to write (" + known_image_extensions() +
+                     "); may be repeated. Default: NAME.exr and NAME.tiff in this folder")
+      ->type_name("FILE");
+  app.add_option("--spectral", options.spectral_output, "Write all bands into one EXR")
+      ->type_name("FILE");
+  app.add_option("--exposure", options.display.exposure_ev,
+                 "Exposure of TIFF and PNG in stops (default 0)")
+      ->type_name("EV");
+  app.add_option_function<std::string>(
+         "--gamut",
+         [&options](const std::string& word) {
+           options.display.gamut = word == "clip" ? GamutMapping::clip : GamutMapping::desaturate;
+         },
+         "How TIFF and PNG treat colours no screen shows (default desaturate)")
+      ->check(CLI::IsMember({"clip", "desaturate"}))
+      ->type_name("clip|desaturate");
+  app.add_option_function<std::string>(
+         "--exr-pixel",
+         [&options](const std::string& word) {
+           options.output.exr_pixel = word == "half" ? ExrPixel::half : ExrPixel::single;
+         },
+         "Precision of EXR pixels (default half)")
+      ->check(CLI::IsMember({"half", "float"}))
+      ->type_name("half|float");
+  app.add_option_function<std::string>(
+         "--tiff-depth",
+         [&options](const std::string& word) {
+           options.output.tiff_depth = word == "8"    ? TiffDepth::bits8
+                                       : word == "16" ? TiffDepth::bits16
+                                                      : TiffDepth::float32;
+         },
+         "Bits per TIFF channel; 32 is linear floating point (default 8)")
+      ->check(CLI::IsMember({"8", "16", "32"}))
+      ->type_name("8|16|32");
+  app.add_option("--png-depth", options.output.png_bits, "Bits per PNG channel (default 8)")
+      ->check(CLI::IsMember({8, 16}))
+      ->type_name("8|16");
+  app.add_flag("-q,--quiet", options.quiet, "Print warnings and errors only");
+}
+
+} // namespace
+
+RenderSettings overridden(RenderSettings s, const SettingsOverride& given) {
+  replace(s.width, given.width);
+  replace(s.height, given.height);
+  replace(s.bands, given.bands);
+  replace(s.samples_per_pixel, given.samples_per_pixel);
+  replace(s.max_depth, given.max_depth);
+  replace(s.max_fan, given.max_fan);
+  replace(s.threads, given.threads);
+  replace(s.seed, given.seed);
+  replace(s.min_throughput, given.min_throughput);
+  replace(s.tolerance_pixels, given.tolerance_pixels);
+  replace(s.integrator, given.integrator);
+  replace(s.filter, given.filter);
+  replace(s.shadows, given.shadows);
+  replace(s.exact, given.exact);
+  replace(s.jitter, given.jitter);
+  replace(s.skip, given.skip);
+  replace(s.tracing, given.tracing);
+  if (given.crop) s.crop = given.crop;
+  return s;
+}
+
+Options parse_command_line(int argc, const char* const* argv) {
+  Options options;
+  CLI::App app("abbe renders light through glass: every path carries all wavelength bands.",
+               "abbe");
+  app.set_version_flag("--version",
+                       fmt::format("abbe {} (Embree {})", ABBE_VERSION, embree_version()));
+  app.require_subcommand(1);
+  app.failure_message(CLI::FailureMessage::simple);
+
+  CLI::App* render = app.add_subcommand("render", "Render a scene");
+  render->add_option("scene", options.scene_path, "Scene file (*.sdl)")
+      ->required()
+      ->type_name("SCENE");
+  add_outputs(*render, options);
+  add_settings(*render, options.settings);
+
+  CLI::App* plan = app.add_subcommand("plan", "Tell what a scene needs and what is left out");
+  plan->add_option("scene", options.scene_path, "Scene file (*.sdl)")
+      ->required()
+      ->type_name("SCENE");
+  add_settings(*plan, options.settings);
+
+  CLI::App* list = app.add_subcommand("list", "List what scenes can name");
+  list->add_option("what", options.list_what, "glasses, lights or materials")
+      ->required()
+      ->check(CLI::IsMember({"glasses", "lights", "materials"}));
+  list->add_option("library", options.list_library,
+                   "Light or material library to list too (default: those beside the scenes)");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    options.exit_code = app.exit(error) == 0 ? 0 : kExitUsage;
+    return options;
+  }
+  options.command = render->parsed() ? Command::render
+                    : plan->parsed() ? Command::plan
+                                     : Command::list;
+  return options;
+}
+
+} // namespace abbe

@@ -1,0 +1,126 @@
+#include "core/develop.h"
+#include "core/render.h"
+#include "io/atomic_file.h"
+#include "io/command_line.h"
+#include "io/interrupt.h"
+#include "io/list.h"
+#include "io/progress.h"
+#include "io/read_scene.h"
+
+#include <fmt/format.h>
+
+namespace {
+
+using namespace abbe;
+namespace fs = std::filesystem;
+
+void print_warning(const std::string& message) {
+  fmt::print(stderr, "warning: {}\n", message);
+}
+
+void print_plan(const Plan& plan) {
+  for (const std::string& note : plan.notes)
+    fmt::print("plan: {}\n", note);
+}
+
+std::vector<fs::path> outputs_of(const Options& options, const Scene& scene) {
+  if (!options.outputs.empty()) return options.outputs;
+  return {scene.title + ".exr", scene.title + ".tiff"};
+}
+
+/// Finds what would make writing fail before the long work, not after it.
+void check_outputs(const std::vector<fs::path>& outputs, const std::optional<fs::path>& spectral) {
+  for (const fs::path& path : outputs)
+    if (!is_known_image_extension(path))
+      throw std::invalid_argument(fmt::format("{}: no picture can be written under this name. "
+                                              "The name should end in {}",
+                                              path.string(), known_image_extensions()));
+  if (spectral && spectral->extension() != ".exr")
+    throw std::invalid_argument(fmt::format(
+        "{}: all bands go into an EXR. The name should end in .exr", spectral->string()));
+  std::vector<fs::path> all = outputs;
+  if (spectral) all.push_back(*spectral);
+  for (const fs::path& path : all)
+    if (const fs::path folder = path.parent_path(); !folder.empty() && !is_directory(folder))
+      throw std::invalid_argument(
+          fmt::format("{}: there is no folder {}", path.string(), folder.string()));
+}
+
+void write_outputs(const Rendering& rendering, const Plan& plan, const Options& options,
+                   const std::vector<fs::path>& outputs) {
+  const SceneLinearImage scene_linear = develop_scene_linear(rendering.film, plan);
+  const DisplayImage display = develop_display(rendering.film, plan, options.display);
+  for (const fs::path& path : outputs) {
+    write_image(path, scene_linear, display, options.output);
+    if (!options.quiet) fmt::print("wrote {}\n", path.string());
+  }
+  if (!options.spectral_output) return;
+  const SpectralImage spectral = develop_spectral(rendering.film, plan);
+  replace_file(*options.spectral_output,
+               [&](const fs::path& temporary) { write_spectral_exr(temporary, spectral); });
+  if (!options.quiet) fmt::print("wrote {}\n", options.spectral_output->string());
+}
+
+int render_command(const Options& options) {
+  const std::atomic<bool>& stop = interrupted();
+  const Scene scene = read_scene(options.scene_path, print_warning);
+  const std::vector<fs::path> outputs = outputs_of(options, scene);
+  check_outputs(outputs, options.spectral_output);
+  const Plan plan = make_plan(scene, overridden(scene.settings, options.settings));
+  if (!options.quiet) print_plan(plan);
+  const World world(scene.shapes, farthest_coordinate(scene));
+
+  Progress progress(options.quiet);
+  const Rendering rendering = render(
+      scene, plan, world, options.spectral_output.has_value(),
+      [&](const RenderProgress& p) { progress.tell(p); }, stop);
+  progress.finish();
+  if (!options.quiet) fmt::print("{}\n", summary(rendering));
+
+  if (!rendering.complete) {
+    const fs::path partial = fs::path(outputs.front()).replace_extension(".partial.exr");
+    write_image(partial, develop_scene_linear(rendering.film, plan), {}, options.output);
+    fmt::print(stderr, "interrupted: what was done is in {}\n", partial.string());
+    return kExitInterrupted;
+  }
+  write_outputs(rendering, plan, options, outputs);
+  return 0;
+}
+
+int plan_command(const Options& options) {
+  const Scene scene = read_scene(options.scene_path, print_warning);
+  print_plan(make_plan(scene, overridden(scene.settings, options.settings)));
+  return 0;
+}
+
+int run(const Options& options) {
+  switch (options.command) {
+  case Command::render:
+    return render_command(options);
+  case Command::plan:
+    return plan_command(options);
+  case Command::list:
+    list(options);
+    return 0;
+  case Command::done:
+    return options.exit_code;
+  }
+  return kExitFailure;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(parse_command_line(argc, argv));
+  } catch (const ReadError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return kExitUsage;
+  } catch (const std::invalid_argument& error) {
+    fmt::print(stderr, "abbe: {}\n", error.what());
+    return kExitUsage;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "abbe: {}\n", error.what());
+    return kExitFailure;
+  }
+}

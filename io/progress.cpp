@@ -1,0 +1,71 @@
+#include "io/progress.h"
+
+#include <fmt/format.h>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace abbe {
+namespace {
+
+std::string clock(double seconds) {
+  const auto s = static_cast<long>(seconds + 0.5);
+  if (s >= 3600) return fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
+  return fmt::format("{}:{:02}", s / 60, s % 60);
+}
+
+double million_per_second(std::uint64_t rays, double seconds) {
+  return seconds > 0.0 ? static_cast<double>(rays) / seconds * 1e-6 : 0.0;
+}
+
+std::string text(const RenderProgress& p) {
+  const double left = p.fraction > 0.0 ? p.seconds * (1.0 - p.fraction) / p.fraction : 0.0;
+  return fmt::format("{:3.0f} %  elapsed {}  left {}  {:.2f} Mray/s", 100.0 * p.fraction,
+                     clock(p.seconds), clock(left), million_per_second(p.rays.total(), p.seconds));
+}
+
+double peak_memory_mib() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+} // namespace
+
+Progress::Progress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1) {}
+
+void Progress::tell(const RenderProgress& progress) {
+  if (quiet_) return;
+  if (terminal_) {
+    fmt::print(stderr, "\r{}\x1b[K", text(progress));
+    std::fflush(stderr);
+    line_open_ = true;
+    return;
+  }
+  const int tenths = static_cast<int>(progress.fraction * 10.0 + 1e-9);
+  if (tenths == told_tenths_) return;
+  told_tenths_ = tenths;
+  fmt::print(stderr, "{}\n", text(progress));
+}
+
+void Progress::finish() {
+  if (line_open_) fmt::print(stderr, "\n");
+  line_open_ = false;
+}
+
+std::string summary(const Rendering& rendering) {
+  const RayCounts& rays = rendering.rays;
+  const Film::Refused refused = rendering.film.refused();
+  return fmt::format(
+      "rays: {} camera, {} reflected, {} refracted, {} shadow; {} in {:.2f} s, {:.2f} Mray/s\n"
+      "refused samples: {} not finite, {} negative, {} overflow\n"
+      "peak memory: {:.0f} MiB",
+      rays.camera, rays.reflected, rays.refracted, rays.shadow, rays.total(), rendering.seconds,
+      million_per_second(rays.total(), rendering.seconds), refused.not_finite, refused.negative,
+      refused.overflow, peak_memory_mib());
+}
+
+} // namespace abbe

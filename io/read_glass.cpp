@@ -1,0 +1,21 @@
+// A glass of the catalogue, in a scene or in a material library:
+//
+//   glass N-BK7
+
+#include "io/read_glass.h"
+
+#include "io/similar_names.h"
+
+namespace abbe {
+
+const Glass& read_glass(Arguments& arguments) {
+  const Token name = arguments.name_token("the name of a glass");
+  if (const Glass* glass = find_glass(name.text)) return *glass;
+  std::vector<std::string> names;
+  for (const Glass& glass : glass_catalogue())
+    names.push_back(glass.name);
+  throw ReadError(name.where, "unknown glass " + shown(name), "no such name in the glass catalogue",
+                  did_you_mean(name.text, names, "docs/scene_format.md says what it holds"));
+}
+
+} // namespace abbe

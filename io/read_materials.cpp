@@ -1,0 +1,111 @@
+// A material library, conventionally *.mtl:
+//
+//   def StrongOrangeYellow
+//   {
+//     reflectivity 0.5                          ! amounts: they scale the colour below
+//     transparency 0.1
+//     diffuseAmount 0.3
+//     specularExponent 12.8
+//     speedOfLight 1.33                         ! used as refractive index
+//     Vnum 1                                    ! a factor on dispersion
+//     freqBreakdown 81 0.0538 0.0552 ... 0.0000 ! 380, 385 ... 780 nm
+//   }
+//   endmaterial
+
+#include "io/read_materials.h"
+
+#include "io/read_glass.h"
+#include "io/read_library.h"
+
+#include <array>
+#include <span>
+
+namespace abbe {
+namespace {
+
+constexpr LibraryWords kWords{"def", "endmaterial"};
+
+constexpr Range kFraction{"a fraction of the light", 0.0, 1.0};
+constexpr Range kAmount{"a factor on the colour"};
+
+/// A key that sets one number of the entry.
+template <double LibraryMaterial::*member>
+void set_amount(LibraryMaterial& entry, Arguments& arguments, const Warn&) {
+  entry.*member = arguments.number(kAmount);
+}
+
+template <double LibraryMaterial::*member>
+void set_fraction(LibraryMaterial& entry, Arguments& arguments, const Warn&) {
+  entry.*member = arguments.number(kFraction);
+}
+
+constexpr std::array<LibraryKey<LibraryMaterial>, 13> kKeys{{
+    {"reflectivity x", set_fraction<&LibraryMaterial::reflectivity>},
+    {"specularExponent e",
+     [](LibraryMaterial& entry, Arguments& arguments, const Warn&) {
+       entry.specular_exponent = arguments.number({"the exponent of the highlight"});
+     }},
+    {"transparency x", set_fraction<&LibraryMaterial::transparency>},
+    {"diffuseAmount x", set_amount<&LibraryMaterial::diffuse>},
+    {"emissiveAmount x", set_amount<&LibraryMaterial::emissive>},
+    {"specularAmount x", set_amount<&LibraryMaterial::specular>},
+    {"ambience x", set_amount<&LibraryMaterial::ambient>},
+    {"speedOfLight n", [](LibraryMaterial& entry, Arguments& arguments,
+                          const Warn&) { entry.speed_of_light = arguments.number(kIndexRange); }},
+    {"Vnum v", [](LibraryMaterial& entry, Arguments& arguments,
+                  const Warn&) { entry.v_number = arguments.number(kVNumberRange); }},
+    {"freqBreakdown 81 v380 v385 ... v780",
+     [](LibraryMaterial& entry, Arguments& arguments, const Warn& warn) {
+       entry.colour = read_samples81(arguments, warn);
+     }},
+    {"glass NAME", [](LibraryMaterial& entry, Arguments& arguments,
+                      const Warn&) { entry.glass = &read_glass(arguments); }},
+    {"absorption x",
+     [](LibraryMaterial& entry, Arguments& arguments, const Warn&) {
+       entry.absorption_per_mm = arguments.number(kAbsorptionRange);
+     }},
+    {"fresnel on|off", [](LibraryMaterial& entry, Arguments& arguments,
+                          const Warn&) { entry.fresnel = arguments.on_off(); }},
+}};
+
+/// The part of a surface with this amount; an amount of 0 is the constant that means "absent".
+Curve part(const LibraryMaterial& entry, double amount) {
+  return amount == 0.0 ? Curve::constant(0.0) : entry.colour.scaled(amount);
+}
+
+} // namespace
+
+Material finish(const LibraryMaterial& entry) {
+  Material material;
+  material.name = entry.name;
+  material.ambient = part(entry, entry.ambient);
+  material.diffuse = part(entry, entry.diffuse);
+  material.specular = part(entry, entry.specular);
+  material.emission = part(entry, entry.emissive);
+  material.specular_exponent = entry.specular_exponent;
+  material.reflectivity = part(entry, entry.reflectivity);
+  material.transparency = part(entry, entry.transparency);
+  material.fresnel = entry.fresnel;
+  return material;
+}
+
+Medium filling(const LibraryMaterial& entry) {
+  Medium medium;
+  medium.name = entry.glass ? entry.glass->name : entry.name;
+  medium.index = entry.glass ? entry.glass->dispersion
+                             : Dispersion(ThesisScaled{entry.speed_of_light, entry.v_number});
+  medium.absorption_per_mm = Curve::constant(entry.absorption_per_mm);
+  return medium;
+}
+
+std::vector<LibraryMaterial> read_materials(const std::filesystem::path& file, const Warn& warn) {
+  return read_materials_text(read_text_file(file), file.string(), warn);
+}
+
+std::vector<LibraryMaterial> read_materials_text(std::string_view text, const std::string& file,
+                                                 const Warn& warn) {
+  return read_library(text, file, kWords, std::span<const LibraryKey<LibraryMaterial>>(kKeys),
+                      warn);
+}
+
+} // namespace abbe

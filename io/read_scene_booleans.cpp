@@ -1,0 +1,105 @@
+// A boolean is followed by its two operands, each with its own push, transforms and pop, and each
+// a solid or again a boolean:
+//
+//   lens
+//     sphere
+//     push
+//     translate 1 0 0
+//     sphere
+//     pop
+//
+// It is complete when it has both operands and every push after its keyword has its pop.
+
+#include "io/read_scene_state.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace abbe {
+namespace {
+
+constexpr int kDeepest = 200; ///< booleans inside each other; more would exhaust the call stack
+
+bool is_complete(const SceneState& state, const BooleanScope& scope) {
+  return scope.operands.size() == 2 && state.pushed.size() == scope.push_depth;
+}
+
+/// Throws unless another statement of the boolean can follow here.
+void check_next(const BooleanScope& scope, const Token& next) {
+  if (scope.operands.size() == 2) {
+    if (is_word(next, "pop")) return;
+    throw ReadError(
+        next.where, fmt::format("{} stands where pop should", shown(next)),
+        fmt::format("{} at line {} has both operands, but not every push inside it has its pop",
+                    scope.keyword, scope.where.line),
+        "Add the pop");
+  }
+  if (next.kind == TokenKind::end)
+    throw ReadError(scope.where, fmt::format("{} lacks an operand", scope.keyword),
+                    fmt::format("the file ends after {} of 2 solids", scope.operands.size()),
+                    "Add a solid after it");
+}
+
+int depth_of(const SceneState& state) {
+  return state.boolean ? state.boolean->depth + 1 : 1;
+}
+
+/// Reads the operands of one boolean, which may be others.
+CsgTree read_operands(SceneState& state, const Arguments& arguments, CsgOperation operation,
+                      const Medium* filling) {
+  BooleanScope* const outer = state.boolean;
+  const SourcePosition& where = arguments.keyword().where;
+  BooleanScope scope;
+  scope.keyword = arguments.name();
+  scope.where = where;
+  scope.material = state.material;
+  scope.whole = outer ? outer->whole : material_id(state.scene, state.material.finish);
+  scope.filling = filling;
+  scope.push_depth = state.pushed.size();
+  scope.depth = depth_of(state);
+  if (scope.depth > kDeepest)
+    throw ReadError(where, "too many booleans inside each other",
+                    fmt::format("at most {} are read", kDeepest), "Combine fewer solids");
+
+  state.boolean = &scope;
+  while (!is_complete(state, scope)) {
+    check_next(scope, arguments.reader().peek());
+    read_statement(state, arguments.reader());
+  }
+  state.boolean = outer;
+  state.material = scope.material;
+  return {operation, std::move(scope.operands[0]), std::move(scope.operands[1])};
+}
+
+template <CsgOperation operation>
+void read_boolean(SceneState& state, Arguments& arguments) {
+  if (BooleanScope* const outer = state.boolean) {
+    outer->operands.push_back(read_operands(state, arguments, operation, outer->filling));
+    state.material = outer->material;
+    return;
+  }
+  // The tree's frame is the transform at the keyword; inside, transforms count from there.
+  const Transform to_world = std::exchange(state.transform, Transform());
+  const CurrentMaterial whole = state.material;
+  const Medium* const filling = is_transparent(whole.finish) ? &whole.medium : nullptr;
+  CsgTree tree = read_operands(state, arguments, operation, filling);
+  place_shape(state, arguments.keyword().where, std::move(tree), to_world, whole);
+  state.transform = to_world.after(state.transform);
+}
+
+constexpr std::array kKeywords{
+    SceneKeyword{"lens", read_boolean<CsgOperation::intersect>, true},
+    SceneKeyword{"intersection", read_boolean<CsgOperation::intersect>, true},
+    SceneKeyword{"union", read_boolean<CsgOperation::unite>, true},
+    SceneKeyword{"difference", read_boolean<CsgOperation::subtract>, true},
+};
+
+} // namespace
+
+std::span<const SceneKeyword> boolean_keywords() {
+  return kKeywords;
+}
+
+} // namespace abbe

@@ -1,0 +1,121 @@
+// The libraries of a scene, named in it before the first use of a name,
+//
+//   lights    lights.filter
+//   materials all.mtl
+//
+// or, where none is named, the two files of these names beside the scene.
+
+#include "io/read_scene_libraries.h"
+
+#include "io/read_library.h"
+#include "io/similar_names.h"
+#include "spectral/illuminant.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace abbe {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What differs between the two kinds of library.
+template <class Entry>
+struct Kind {
+  std::string_view keyword;
+  std::string_view default_file;
+  std::vector<Entry> (*read)(const fs::path&, const Warn&);
+};
+constexpr Kind<LightSpectrum> kLights{"lights", "lights.filter", read_lights};
+constexpr Kind<LibraryMaterial> kMaterials{"materials", "all.mtl", read_materials};
+
+template <class Entry>
+void add_file(SceneLibrary<Entry>& library, const Kind<Entry>& kind, const fs::path& folder,
+              const Token& name, const Warn& warn) {
+  if (library.in_use)
+    throw ReadError(name.where, fmt::format("{} stands too late", kind.keyword),
+                    "a name was looked up before it",
+                    fmt::format("Move it before the first use of a name"));
+  const fs::path file = folder / name.text;
+  std::error_code error;
+  if (!fs::is_regular_file(file, error))
+    throw ReadError(name.where, fmt::format("there is no library {}", file.string()),
+                    "libraries are found relative to the scene's folder",
+                    "Check the name, or write the whole path");
+  for (Entry& entry : kind.read(file, warn)) {
+    if (find_entry(library.entries, entry.name))
+      throw ReadError(name.where, fmt::format("{} defines \"{}\" again", file.string(), entry.name),
+                      fmt::format("it is already in {}", library.files),
+                      "Rename or remove one of them");
+    library.entries.push_back(std::move(entry));
+  }
+  library.files += (library.files.empty() ? "" : ", ") + file.string();
+}
+
+template <class Entry>
+const Entry* look_up(SceneLibrary<Entry>& library, const Kind<Entry>& kind, const fs::path& folder,
+                     std::string_view name, const Warn& warn) {
+  const fs::path file = folder / kind.default_file;
+  std::error_code error;
+  if (!library.in_use && library.files.empty() && fs::is_regular_file(file, error)) {
+    library.entries = kind.read(file, warn);
+    library.files = file.string();
+  }
+  library.in_use = true;
+  return find_entry(library.entries, name);
+}
+
+template <class Entry>
+std::vector<std::string> names_of(const SceneLibrary<Entry>& library) {
+  std::vector<std::string> names;
+  for (const Entry& entry : library.entries)
+    names.push_back(entry.name);
+  return names;
+}
+
+template <class Entry>
+std::string searched(const SceneLibrary<Entry>& library, const Kind<Entry>& kind) {
+  if (!library.files.empty()) return "no such name in " + library.files;
+  return fmt::format("there is no {} beside the scene, and no {} keyword", kind.default_file,
+                     kind.keyword);
+}
+
+} // namespace
+
+void add_lights(SceneLibraries& libraries, const Token& file, const Warn& warn) {
+  add_file(libraries.lights, kLights, libraries.folder, file, warn);
+}
+
+void add_materials(SceneLibraries& libraries, const Token& file, const Warn& warn) {
+  add_file(libraries.materials, kMaterials, libraries.folder, file, warn);
+}
+
+Curve look_up_light(SceneLibraries& libraries, const Token& name, const Warn& warn) {
+  const auto* entry = look_up(libraries.lights, kLights, libraries.folder, name.text, warn);
+  const auto illuminant = find_illuminant(name.text);
+  if (entry && illuminant && libraries.warned_names.insert(entry->name).second)
+    warn(fmt::format("{}: {} is the light of {}, which hides the illuminant of this name",
+                     to_string(name.where), shown(name), libraries.lights.files));
+  if (entry) return spectrum(*entry);
+  if (illuminant) return *illuminant;
+
+  std::vector<std::string> names = names_of(libraries.lights);
+  for (std::string& illuminant_name : illuminant_names())
+    names.push_back(std::move(illuminant_name));
+  throw ReadError(name.where, "unknown light " + shown(name),
+                  searched(libraries.lights, kLights) + "; no such illuminant",
+                  did_you_mean(name.text, names, "D65 and A are always there"));
+}
+
+const LibraryMaterial& look_up_material(SceneLibraries& libraries, const Token& name,
+                                        const Warn& warn) {
+  const auto* entry = look_up(libraries.materials, kMaterials, libraries.folder, name.text, warn);
+  if (entry) return *entry;
+  throw ReadError(name.where, "unknown material " + shown(name),
+                  searched(libraries.materials, kMaterials),
+                  did_you_mean(name.text, names_of(libraries.materials),
+                               "Add it to the material library, or name another one"));
+}
+
+} // namespace abbe

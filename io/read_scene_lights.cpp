@@ -1,0 +1,123 @@
+// Lights stand where the current transform puts them:
+//
+//   light 0 5 0  1 0.9 0.8                     ! Hill: a point, and a linear sRGB colour
+//   light 2a  0 5 0  1                         ! thesis: name, position, 1 = at that position
+//   light D65  1 2 0  0                        ! 0 = from that direction, parallel
+//   falloff square
+//   intensity 40
+//   softEdge 0.5
+//   spotlight 2a  0 0 -10  1  0 0 1  2         ! ..., direction, half-angle in degrees
+
+#include "io/read_scene_state.h"
+#include "spectral/rgb_spectrum.h"
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include <array>
+#include <numbers>
+
+namespace abbe {
+namespace {
+
+double radians(double angle_deg) {
+  return angle_deg * std::numbers::pi / 180.0;
+}
+
+void add_light(SceneState& state, std::string name, const Curve& spectrum,
+               decltype(Light::emitter) emitter) {
+  // Parallel light has no distance to fall off with.
+  const Falloff falloff =
+      std::holds_alternative<DirectionalLight>(emitter) ? Falloff::none : state.light.falloff;
+  state.scene.lights.push_back(
+      {std::move(name), spectrum.scaled(state.light.intensity), falloff, emitter});
+}
+
+/// Three numbers that are a direction, in the world and of unit length.
+dvec3 read_direction(SceneState& state, Arguments& arguments) {
+  const SourcePosition where = arguments.reader().peek().where;
+  const dvec3 direction = arguments.vector();
+  if (!(glm::length(direction) > 0.0))
+    throw ReadError(where, "the direction of a light is 0 0 0", arguments.takes(),
+                    "Give a direction such as 0 -1 0");
+  return glm::normalize(state.transform.vector(direction));
+}
+
+bool read_is_local(Arguments& arguments) {
+  return arguments.choice<bool>({{"1", true}, {"0", false}});
+}
+
+void read_light(SceneState& state, Arguments& arguments) {
+  if (arguments.number_follows()) {
+    const dvec3 position = state.transform.point(arguments.vector());
+    add_light(state, "", rgb_emission(read_rgb(arguments)), PointLight{position});
+    return;
+  }
+  const Token name = arguments.name_token("the name of a light, or a position,");
+  const Curve spectrum = look_up_light(state.libraries, name, state.warn);
+  const SourcePosition where = arguments.reader().peek().where;
+  const dvec3 place = arguments.vector();
+  if (read_is_local(arguments)) {
+    add_light(state, name.text, spectrum, PointLight{state.transform.point(place)});
+    return;
+  }
+  if (!(glm::length(place) > 0.0))
+    throw ReadError(where, "light from the direction 0 0 0",
+                    "its locality is 0, so x y z is the direction it comes from",
+                    "Give a direction such as 0 1 0, or the locality 1");
+  add_light(state, name.text, spectrum,
+            DirectionalLight{-glm::normalize(state.transform.vector(place))});
+}
+
+void read_spotlight(SceneState& state, Arguments& arguments) {
+  const Token name = arguments.name_token("the name of a light");
+  const Curve spectrum = look_up_light(state.libraries, name, state.warn);
+  SpotLight spot;
+  spot.position = state.transform.point(arguments.vector());
+  const SourcePosition locality_at = arguments.reader().peek().where;
+  if (!read_is_local(arguments))
+    throw ReadError(locality_at, "a spotlight has the locality 0", "a cone begins at a position",
+                    "Give the locality 1");
+  spot.axis = read_direction(state, arguments);
+  const SourcePosition angle_at = arguments.reader().peek().where;
+  const double angle_deg =
+      arguments.number({"half the angle of the cone, in degrees", 0.0, 90.0, true});
+  if (state.light.soft_edge_deg > angle_deg)
+    throw ReadError(angle_at, "the spotlight is narrower than its soft edge",
+                    fmt::format("softEdge is {} degrees, the half-angle {}",
+                                state.light.soft_edge_deg, angle_deg),
+                    "Give a smaller softEdge before it");
+  spot.half_angle = radians(angle_deg);
+  spot.full_angle = radians(angle_deg - state.light.soft_edge_deg);
+  add_light(state, name.text, spectrum, spot);
+}
+
+void read_falloff(SceneState& state, Arguments& arguments) {
+  state.light.falloff =
+      arguments.choice<Falloff>({{"none", Falloff::none}, {"square", Falloff::square}});
+}
+
+void read_intensity(SceneState& state, Arguments& arguments) {
+  state.light.intensity = arguments.number({"a factor on the lights that follow"});
+}
+
+void read_soft_edge(SceneState& state, Arguments& arguments) {
+  state.light.soft_edge_deg =
+      arguments.number({"the width of a spotlight's edge, in degrees", 0.0, 90.0});
+}
+
+constexpr std::array kKeywords{
+    SceneKeyword{"light x y z r g b | NAME x y z LOCALITY", read_light},
+    SceneKeyword{"spotlight NAME x y z LOCALITY dx dy dz angle", read_spotlight},
+    SceneKeyword{"falloff none|square", read_falloff},
+    SceneKeyword{"intensity x", read_intensity},
+    SceneKeyword{"softEdge angle", read_soft_edge},
+};
+
+} // namespace
+
+std::span<const SceneKeyword> light_keywords() {
+  return kKeywords;
+}
+
+} // namespace abbe

@@ -1,0 +1,131 @@
+// The current material applies to the shapes that follow:
+//
+//   UseMaterial StrongOrangeYellow     ! from the material library
+//
+//   defaultMaterials                   ! Hill's default, then what differs from it
+//   diffuse 0.7 0.2 0.2                ! linear sRGB
+//   reflectivity 0.3
+//
+//   glass N-BK7                        ! clear glass of the catalogue
+//   absorption 0.01                    ! per mm
+
+#include "io/read_glass.h"
+#include "io/read_scene_state.h"
+#include "spectral/band_grid.h"
+#include "spectral/rgb_spectrum.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace abbe {
+namespace {
+
+constexpr Range kFraction{"a fraction of the light", 0.0, 1.0};
+
+void warn_of_extrapolation(SceneState& state, const Token& keyword, const Glass& glass) {
+  if (glass.lower_nm <= kLowerNm && glass.upper_nm >= kUpperNm) return;
+  if (!state.warned_glasses.insert(&glass).second) return;
+  warn_at(state, keyword.where,
+          fmt::format("glass {} is extrapolated beyond {:g}-{:g} nm (pictures need {}-{} nm)",
+                      glass.name, glass.lower_nm, glass.upper_nm, kLowerNm, kUpperNm));
+}
+
+template <Curve Material::*part>
+void read_reflectance(SceneState& state, Arguments& arguments) {
+  const LinearRgb color = read_rgb(arguments);
+  if (std::max({color.r, color.g, color.b}) > 1.0)
+    warn_at(state, arguments.keyword().where,
+            fmt::format("{} above 1 counts as 1 (nothing reflects more than it gets)",
+                        arguments.name()));
+  state.material.finish.*part = rgb_reflectance(color);
+}
+
+void read_emissive(SceneState& state, Arguments& arguments) {
+  state.material.finish.emission = rgb_emission(read_rgb(arguments));
+}
+
+void read_exponent(SceneState& state, Arguments& arguments) {
+  state.material.finish.specular_exponent = arguments.number({"the exponent of the highlight"});
+}
+
+template <Curve Material::*part>
+void read_fraction(SceneState& state, Arguments& arguments) {
+  state.material.finish.*part = Curve::constant(arguments.number(kFraction));
+}
+
+void read_speed_of_light(SceneState& state, Arguments& arguments) {
+  const double n = arguments.number(kIndexRange);
+  const auto* law = std::get_if<ThesisScaled>(&state.material.medium.index);
+  state.material.medium.index = ThesisScaled{n, law ? law->v_number : 0.0};
+}
+
+void read_vnum(SceneState& state, Arguments& arguments) {
+  auto* law = std::get_if<ThesisScaled>(&state.material.medium.index);
+  if (!law)
+    throw ReadError(arguments.keyword().where, "vnum does not go with glass",
+                    "a glass of the catalogue has its own dispersion",
+                    "Remove it, or give speedOfLight before it");
+  law->v_number = arguments.number(kVNumberRange);
+}
+
+void read_absorption(SceneState& state, Arguments& arguments) {
+  state.material.medium.absorption_per_mm = Curve::constant(arguments.number(kAbsorptionRange));
+}
+
+void read_fresnel(SceneState& state, Arguments& arguments) {
+  state.material.finish.fresnel = arguments.on_off();
+}
+
+void read_default_materials(SceneState& state, Arguments&) {
+  state.material = CurrentMaterial{};
+}
+
+void read_clear_glass(SceneState& state, Arguments& arguments) {
+  const Glass& glass = read_glass(arguments);
+  warn_of_extrapolation(state, arguments.keyword(), glass);
+  Material clear;
+  clear.name = glass.name;
+  clear.reflectivity = clear.transparency = Curve::constant(1.0);
+  state.material = {clear, {glass.name, glass.dispersion, Curve::constant(0.0)}};
+}
+
+void read_use_material(SceneState& state, Arguments& arguments) {
+  const Token name = arguments.name_token("the name of a material");
+  const LibraryMaterial& entry = look_up_material(state.libraries, name, state.warn);
+  if (entry.glass) warn_of_extrapolation(state, arguments.keyword(), *entry.glass);
+  state.material = {finish(entry), filling(entry)};
+}
+
+void read_priority(SceneState& state, Arguments& arguments) {
+  constexpr double kMost = std::numeric_limits<int>::max();
+  state.priority = static_cast<int>(arguments.whole_number({"a rank", -kMost, kMost}));
+}
+
+constexpr std::array kKeywords{
+    SceneKeyword{"UseMaterial NAME", read_use_material, true},
+    SceneKeyword{"ambient r g b", read_reflectance<&Material::ambient>, true},
+    SceneKeyword{"diffuse r g b", read_reflectance<&Material::diffuse>, true},
+    SceneKeyword{"specular r g b", read_reflectance<&Material::specular>, true},
+    SceneKeyword{"emissive r g b", read_emissive, true},
+    SceneKeyword{"specularExponent e", read_exponent, true},
+    SceneKeyword{"reflectivity x", read_fraction<&Material::reflectivity>, true},
+    SceneKeyword{"transparency x", read_fraction<&Material::transparency>, true},
+    SceneKeyword{"speedOfLight n", read_speed_of_light, true},
+    SceneKeyword{"vnum v", read_vnum, true},
+    SceneKeyword{"fresnel on|off", read_fresnel, true},
+    SceneKeyword{"defaultMaterials", read_default_materials, true},
+    SceneKeyword{"glass NAME", read_clear_glass, true},
+    SceneKeyword{"absorption x", read_absorption, true},
+    SceneKeyword{"priority n", read_priority},
+};
+
+} // namespace
+
+std::span<const SceneKeyword> material_keywords() {
+  return kKeywords;
+}
+
+} // namespace abbe

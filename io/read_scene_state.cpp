@@ -1,0 +1,90 @@
+#include "io/read_scene_state.h"
+
+#include "spectral/band_grid.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace abbe {
+namespace {
+
+// A member added to the struct does not compile here until it is added to the comparison.
+auto members(const Material& m) {
+  const auto& [name, ambient, diffuse, specular, emission, exponent, reflectivity, transparency,
+               fresnel] = m;
+  return std::tie(name, ambient, diffuse, specular, emission, exponent, reflectivity, transparency,
+                  fresnel);
+}
+
+auto members(const Medium& m) {
+  const auto& [name, index, absorption] = m;
+  return std::tie(name, index, absorption);
+}
+
+/// The index of `value` in `values`, where it is added unless it is there. The search begins at
+/// the end: mostly the state has not changed since the last shape.
+template <class Value>
+std::int32_t index_of(std::vector<Value>& values, const Value& value) {
+  const auto found = std::find_if(values.rbegin(), values.rend(),
+                                  [&](const Value& other) { return same(other, value); });
+  if (found != values.rend()) return static_cast<std::int32_t>(values.rend() - found) - 1;
+  values.push_back(value);
+  return static_cast<std::int32_t>(values.size()) - 1;
+}
+
+MediumId medium_id(SceneState& state, const SourcePosition& where, const Medium& medium) {
+  for (const double lambda_nm : {kLowerNm, kUpperNm})
+    if (!(refractive_index(medium.index, lambda_nm) > 0.0))
+      throw ReadError(where, "the solid's refractive index is not above 0 at every wavelength",
+                      "speedOfLight is too small for this vnum",
+                      "Raise speedOfLight or lower vnum");
+  return {index_of(state.scene.media, medium)};
+}
+
+} // namespace
+
+Material default_finish() {
+  Material finish;
+  finish.ambient = Curve::constant(0.1);
+  finish.diffuse = Curve::constant(0.8);
+  return finish;
+}
+
+void warn_at(const SceneState& state, const SourcePosition& where, const std::string& message) {
+  state.warn(to_string(where) + ": " + message);
+}
+
+bool is_transparent(const Material& finish) {
+  return finish.transparency.constant_value() != 0.0;
+}
+
+bool same(const Material& a, const Material& b) {
+  return members(a) == members(b);
+}
+
+bool same(const Medium& a, const Medium& b) {
+  return members(a) == members(b);
+}
+
+MaterialId material_id(Scene& scene, const Material& finish) {
+  return {index_of(scene.materials, finish)};
+}
+
+LinearRgb read_rgb(Arguments& arguments) {
+  constexpr Range kComponent{"a component of a linear sRGB colour"};
+  const double r = arguments.number(kComponent);
+  const double g = arguments.number(kComponent);
+  return {r, g, arguments.number(kComponent)};
+}
+
+void place_shape(SceneState& state, const SourcePosition& where, Shape shape,
+                 const Transform& to_world, const CurrentMaterial& material) {
+  PlacedShape placed{
+      std::move(shape), to_world, material_id(state.scene, material.finish), {}, state.priority};
+  if (is_solid(placed.shape) && is_transparent(material.finish))
+    placed.medium = medium_id(state, where, material.medium);
+  state.scene.shapes.push_back(std::move(placed));
+}
+
+} // namespace abbe

@@ -1,0 +1,106 @@
+#pragma once
+
+#include "core/scene.h"
+#include "io/read_arguments.h"
+#include "io/read_scene_libraries.h"
+#include "io/token.h"
+#include "spectral/color.h"
+
+#include <optional>
+#include <set>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace abbe {
+
+/// Hill's default material: a dull light grey.
+[[nodiscard]] Material default_finish();
+
+/// The current material. Shapes get its ids, which are those of an equal state met before.
+struct CurrentMaterial {
+  Material finish = default_finish();
+  Medium medium{"", ThesisScaled{1.0, 0.0}, Curve::constant(0.0)}; ///< used where light gets in
+};
+
+/// What applies to the lights that follow.
+struct CurrentLight {
+  Falloff falloff = Falloff::none;
+  double intensity = 1.0;
+  double soft_edge_deg = 0.0;
+};
+
+/// A transform that waits for its `pop`.
+struct PushedTransform {
+  Transform transform;
+  SourcePosition where;
+};
+
+/// A boolean whose operands are being read. Its tree has the frame of the outermost boolean.
+struct BooleanScope {
+  std::string_view keyword;
+  SourcePosition where;
+  CurrentMaterial material;        ///< at the keyword; each operand begins with it
+  MaterialId whole;                ///< the finish at the outermost boolean's keyword
+  const Medium* filling = nullptr; ///< its filling; null: opaque
+  std::size_t push_depth = 0;      ///< transforms pushed before the keyword
+  int depth = 1;                   ///< 1 is the outermost
+  std::vector<CsgTree> operands;
+};
+
+/// The scene as far as it is read, and everything that is current.
+struct SceneState {
+  Scene scene;
+  SceneLibraries libraries;
+  Warn warn;
+
+  Transform transform;
+  std::vector<PushedTransform> pushed;
+  CurrentMaterial material;
+  int priority = 0;
+  CurrentLight light;
+  BooleanScope* boolean = nullptr; ///< the innermost one that is open
+
+  std::set<const Glass*> warned_glasses;
+  std::optional<SourcePosition> camera_at; ///< of the last keyword that moves the camera
+  std::optional<SourcePosition> crop_at;
+};
+
+/// A keyword of the scene language, one row of a table.
+struct SceneKeyword {
+  std::string_view usage; ///< the keyword and its arguments
+  void (*read)(SceneState&, Arguments&);
+  bool in_boolean = false; ///< may stand between a boolean's keyword and its operands
+};
+
+[[nodiscard]] std::span<const SceneKeyword> setting_keywords();
+[[nodiscard]] std::span<const SceneKeyword> camera_keywords();
+[[nodiscard]] std::span<const SceneKeyword> transform_keywords();
+[[nodiscard]] std::span<const SceneKeyword> material_keywords();
+[[nodiscard]] std::span<const SceneKeyword> light_keywords();
+[[nodiscard]] std::span<const SceneKeyword> shape_keywords();
+[[nodiscard]] std::span<const SceneKeyword> boolean_keywords();
+
+/// Reads one keyword with its arguments; for a boolean also its operands.
+void read_statement(SceneState& state, TokenReader& reader);
+
+/// Warns with the position in front of the message.
+void warn_at(const SceneState& state, const SourcePosition& where, const std::string& message);
+
+/// True when the finish lets light into the solid.
+[[nodiscard]] bool is_transparent(const Material& finish);
+/// True when all members are equal.
+[[nodiscard]] bool same(const Material& a, const Material& b);
+[[nodiscard]] bool same(const Medium& a, const Medium& b);
+
+/// The id of this finish in the scene, where it is added unless it is there.
+[[nodiscard]] MaterialId material_id(Scene& scene, const Material& finish);
+
+/// Three numbers, each 0 or more: linear sRGB.
+[[nodiscard]] LinearRgb read_rgb(Arguments& arguments);
+
+/// Adds a shape with a material to the scene.
+void place_shape(SceneState& state, const SourcePosition& where, Shape shape,
+                 const Transform& to_world, const CurrentMaterial& material);
+
+} // namespace abbe

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace abbe {
+
+/// Where something stands in a file; lines and columns count from 1, a column is one character.
+struct SourcePosition {
+  std::string file;
+  int line = 1;
+  int column = 1;
+};
+
+/// `file:line:column`
+[[nodiscard]] std::string to_string(const SourcePosition& where);
+
+/// A file that cannot be understood. what() is "file:line:column: what is wrong (why). What would
+/// be right"; for a file that cannot be read at all there is no line and no column.
+class ReadError : public std::runtime_error {
+public:
+  ReadError(const SourcePosition& where, const std::string& what, const std::string& why,
+            const std::string& right)
+      : runtime_error(to_string(where) + ": " + what + " (" + why + "). " + right) {}
+  ReadError(const std::filesystem::path& file, const std::string& what, const std::string& why,
+            const std::string& right)
+      : runtime_error(file.string() + ": " + what + " (" + why + "). " + right) {}
+};
+
+/// Receives what a reader finds odd but can live with, as "file:line:column: message".
+using Warn = std::function<void(const std::string&)>;
+
+enum class TokenKind : std::uint8_t { word, quoted, open_brace, close_brace, end };
+
+struct Token {
+  TokenKind kind = TokenKind::end;
+  std::string text; ///< without the quotes; empty at the end of the file
+  SourcePosition where;
+};
+
+/// The token as a message shows it: `"text"`, or "the end of the file".
+[[nodiscard]] std::string shown(const Token& token);
+
+/// True for this word without quotes, in upper or lower case.
+[[nodiscard]] bool is_word(const Token& token, std::string_view word);
+
+/// Cuts a text into tokens, the last of which is an `end`. `file` is only for messages.
+/// Throws ReadError for a quote without its partner and for text that is not text.
+[[nodiscard]] std::vector<Token> tokenize(std::string_view text, const std::string& file);
+
+/// Hands out tokens one by one. Past the end it goes on giving the `end` token.
+class TokenReader {
+public:
+  TokenReader(std::string_view text, const std::string& file) : tokens_(tokenize(text, file)) {}
+
+  [[nodiscard]] const Token& peek() const { return tokens_[next_]; }
+  [[nodiscard]] bool at_end() const { return peek().kind == TokenKind::end; }
+  const Token& next();
+
+private:
+  std::vector<Token> tokens_;
+  std::size_t next_ = 0;
+};
+
+/// The whole content of a file. Throws ReadError, which names the file.
+[[nodiscard]] std::string read_text_file(const std::filesystem::path& file);
+
+} // namespace abbe

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace abbe {
+
+/// What a tabulated curve is worth beyond its first and last wavelength.
+enum class Outside { hold_ends, zero };
+
+/// A function of wavelength: a reflectance, a transmittance, a lamp's spectrum, n or k of a metal.
+/// A plain value; copying a constant copies one number. Units are those of what it describes.
+class Curve {
+public:
+  /// The constant 0.
+  Curve() : form_(Constant{0.0}) {}
+
+  /// The same value at every wavelength.
+  [[nodiscard]] static Curve constant(double value);
+
+  /// The thesis's convention [War05]: 81 values at 380, 385 ... 780 nm, each the mean of its 5 nm
+  /// cell. Linear between the samples, held at the ends.
+  /// Throws std::invalid_argument unless there are exactly 81 finite values.
+  [[nodiscard]] static Curve samples81(std::vector<double> values);
+
+  /// Values at ascending wavelengths (nm), linear between; `outside` says what lies beyond them.
+  /// Throws std::invalid_argument when the lengths differ, when there is no point, when the
+  /// wavelengths do not strictly ascend, or when a number is not finite.
+  [[nodiscard]] static Curve table(std::vector<double> wavelengths_nm, std::vector<double> values,
+                                   Outside outside = Outside::hold_ends);
+
+  /// The value at `lambda_nm`; at a sample or a tabulated wavelength exactly the number given.
+  [[nodiscard]] double at(double lambda_nm) const;
+
+  /// The value, when the curve was made as a constant.
+  [[nodiscard]] std::optional<double> constant_value() const;
+
+  /// This curve times a number.
+  [[nodiscard]] Curve scaled(double factor) const;
+
+  /// The pointwise product. A constant scales the other curve; samples with samples give samples;
+  /// any other pair gives a table on the points of both, exact at these points and linear between.
+  [[nodiscard]] Curve times(const Curve& other) const;
+
+  friend bool operator==(const Curve&, const Curve&) = default;
+
+private:
+  struct Constant {
+    double value;
+    friend bool operator==(const Constant&, const Constant&) = default;
+  };
+  struct Samples {
+    std::vector<double> values;
+    friend bool operator==(const Samples&, const Samples&) = default;
+  };
+  struct Table {
+    std::vector<double> wavelengths_nm;
+    std::vector<double> values;
+    Outside outside = Outside::hold_ends;
+    friend bool operator==(const Table&, const Table&) = default;
+  };
+  using Form = std::variant<Constant, Samples, Table>;
+
+  explicit Curve(Form form) : form_(std::move(form)) {}
+
+  [[nodiscard]] static double value_at(const Constant& form, double lambda_nm);
+  [[nodiscard]] static double value_at(const Samples& form, double lambda_nm);
+  [[nodiscard]] static double value_at(const Table& form, double lambda_nm);
+  [[nodiscard]] static Table as_table(const Samples& form);
+  [[nodiscard]] static Curve product(const Table& a, const Table& b);
+
+  Form form_;
+};
+
+} // namespace abbe

@@ -1,0 +1,42 @@
+#include "spectral/metal.h"
+
+#include "spectral/data_table.h"
+
+#include <algorithm>
+
+namespace abbe {
+namespace {
+
+// Each file of data/conductors/ is one metal, named after it.
+std::vector<Metal> load_catalogue() {
+  constexpr std::string_view kFolder = "conductors/";
+  constexpr std::string_view kEnding = ".csv";
+  std::vector<Metal> list;
+  for (const auto& [file_name, text] : embedded_tables()) {
+    if (!file_name.starts_with(kFolder)) continue;
+    std::string_view symbol = file_name.substr(kFolder.size());
+    symbol.remove_suffix(kEnding.size());
+    const DataTable table(text);
+    const std::vector<double> nm = table.numbers("nm");
+    list.push_back({std::string(symbol), Curve::table(nm, table.numbers("n")),
+                    Curve::table(nm, table.numbers("k"))});
+  }
+  std::sort(list.begin(), list.end(),
+            [](const Metal& a, const Metal& b) { return a.name < b.name; });
+  return list;
+}
+
+} // namespace
+
+const std::vector<Metal>& metal_catalogue() {
+  static const std::vector<Metal> list = load_catalogue();
+  return list;
+}
+
+const Metal* find_metal(std::string_view symbol) {
+  for (const Metal& metal : metal_catalogue())
+    if (same_name(metal.name, symbol)) return &metal;
+  return nullptr;
+}
+
+} // namespace abbe

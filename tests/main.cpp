@@ -1,0 +1,5 @@
+// Catch2 2 wants its main function compiled here; Catch2 3 links one.
+#if !__has_include(<catch2/catch_test_macros.hpp>)
+#define CATCH_CONFIG_MAIN
+#include <catch2/catch.hpp>
+#endif
