@@ -1,6 +1,7 @@
 #include "geometry/boundary.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace abbe {
 namespace {
@@ -15,6 +16,16 @@ MaterialId material_of(const PlacedShape& placed, FaceId face) {
     if (own.valid()) return own;
   }
   return placed.material;
+}
+
+/// Which of two coinciding shapes shows: an opaque one before a glass, then the higher priority,
+/// then the one defined last (so a decal may lie on a wall).
+bool shows_before(const std::vector<PlacedShape>& shapes, ShapeId a, ShapeId b) {
+  const auto rank = [&](ShapeId id) {
+    const PlacedShape& p = shapes[id.index()];
+    return std::tuple(!p.medium.valid(), p.priority, id);
+  };
+  return rank(a) > rank(b);
 }
 
 /// Point and outward normal of a crossing, in the world.
@@ -59,9 +70,12 @@ bool NearestCandidates::offer(const Candidate& candidate) {
 
 FixedVector<Candidate, 8> NearestCandidates::boundary() const {
   FixedVector<Candidate, 8> nearest;
-  for (const Candidate& c : kept_)
-    if (c.crossing.t - c.crossing.t_error <= reach_) nearest.push_back(c);
-  std::sort(nearest.begin(), nearest.end(), before);
+  for (const Candidate& c : kept_) {
+    if (c.crossing.t - c.crossing.t_error > reach_) continue;
+    nearest.push_back(c);
+    for (std::size_t i = nearest.size() - 1; i > 0 && before(nearest[i], nearest[i - 1]); --i)
+      std::swap(nearest[i], nearest[i - 1]);
+  }
   return nearest;
 }
 
@@ -99,12 +113,7 @@ Boundary resolve(const std::vector<PlacedShape>& shapes, const RayState& state,
       hit.other_side.push_back(
           {c.shape, c.crossing.face, solid && !now_inside ? Side::inside : Side::outside});
     }
-    // An opaque surface shows first; among glasses the one whose medium prevails.
-    const auto rank = [&](const Candidate& candidate) {
-      const PlacedShape& p = shapes[candidate.shape.index()];
-      return p.medium.valid() ? p.priority : std::numeric_limits<int>::max();
-    };
-    if (!shown || rank(c) > rank(*shown)) shown = &c;
+    if (!shown || shows_before(shapes, c.shape, shown->shape)) shown = &c;
   }
   const PlacedShape& placed = shapes[shown->shape.index()];
   hit.t = shown->crossing.t;

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 /// The file to replace: the end of a chain of symbolic links, and never a device or a folder.
 fs::path resolved_target(const fs::path& target) {
   std::error_code ignored;
-  const fs::path resolved = fs::is_symlink(target, ignored) ? fs::canonical(target) : target;
+  fs::path resolved = fs::is_symlink(target, ignored) ? fs::canonical(target) : target;
   if (resolved.filename().empty()) throw std::runtime_error("the name of the file is missing");
   if (fs::exists(resolved, ignored) && !fs::is_regular_file(resolved, ignored))
     throw std::runtime_error("not a regular file");

@@ -6,8 +6,6 @@
 
 #include "io/read_arguments.h"
 
-#include "io/similar_names.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -135,7 +133,7 @@ std::size_t Arguments::chosen(const std::vector<std::string>& names) {
     for (std::size_t i = 1; i < names.size(); ++i)
       list += (i + 1 == names.size() ? " or " : ", ") + names[i];
     throw ReadError(token.where, fmt::format("{} is no choice of {}", shown(token), name()),
-                    takes(), did_you_mean(token.text, names, "Give " + list));
+                    takes(), "Give " + list);
   }
   reader_.next();
   return static_cast<std::size_t>(found - names.begin());

@@ -52,6 +52,9 @@ const SceneKeyword* find_keyword(const Token& token) {
     throw ReadError(token.where, shown(token) + " stands where a keyword should",
                     "the statement before it has all its arguments",
                     "Remove it, or check the statement before it");
+  if (token.kind == TokenKind::quoted)
+    throw ReadError(token.where, "unknown keyword " + shown(token), "it stands in quotes",
+                    "Remove the quotes");
   std::vector<std::string> names;
   for (const SceneKeyword& keyword : all_keywords())
     names.emplace_back(name_of(keyword));

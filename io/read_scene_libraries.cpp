@@ -35,12 +35,11 @@ void add_file(SceneLibrary<Entry>& library, const Kind<Entry>& kind, const fs::p
               const Token& name, const Warn& warn) {
   if (library.in_use)
     throw ReadError(name.where, fmt::format("{} stands too late", kind.keyword),
-                    "a name was looked up before it",
-                    fmt::format("Move it before the first use of a name"));
+                    "a name was looked up before it", "Move it before the first use of a name");
   const fs::path file = folder / name.text;
   std::error_code error;
   if (!fs::is_regular_file(file, error))
-    throw ReadError(name.where, fmt::format("there is no library {}", file.string()),
+    throw ReadError(name.where, fmt::format("there is no library \"{}\"", file.string()),
                     "libraries are found relative to the scene's folder",
                     "Check the name, or write the whole path");
   for (Entry& entry : kind.read(file, warn)) {

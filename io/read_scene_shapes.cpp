@@ -5,9 +5,9 @@
 
 #include "io/read_scene_state.h"
 
-#include <fmt/format.h>
-
 #include <array>
+#include <utility>
+#include <variant>
 
 namespace abbe {
 namespace {
@@ -20,10 +20,9 @@ void add_operand(SceneState& state, const Arguments& arguments, Convex solid) {
   const bool other_filling =
       is_transparent(own.finish) && scope.filling && !same(own.medium, *scope.filling);
   if (other_filling)
-    warn_at(
-        state, arguments.keyword().where,
-        fmt::format("what fills this operand is ignored (one medium fills the whole solid, that "
-                    "at the outermost boolean keyword)"));
+    warn_at(state, arguments.keyword().where,
+            "what fills this operand is ignored (one medium fills the whole solid, that of the "
+            "outermost boolean)");
   scope.operands.emplace_back(std::move(solid), state.transform,
                               id == scope.whole ? MaterialId{} : id);
   state.material = scope.material;

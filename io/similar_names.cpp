@@ -8,7 +8,11 @@ namespace abbe {
 namespace {
 
 constexpr std::size_t kMostNames = 3;
-constexpr std::size_t kShortestPart = 2; ///< a single letter is a part of nearly every name
+constexpr std::size_t kShortestPart = 3; ///< shorter ones are a part of too many names
+
+bool is_part(const std::string& part, const std::string& whole) {
+  return part.size() >= kShortestPart && whole.find(part) != std::string::npos;
+}
 
 std::string lower_case(std::string_view text) {
   std::string lowered(text);
@@ -47,7 +51,7 @@ std::vector<std::string> similar_names(std::string_view wanted,
   for (const std::string& name : known) {
     const std::string candidate = lower_case(name);
     const std::size_t distance = edit_distance(target, candidate);
-    const bool part = target.size() >= kShortestPart && candidate.find(target) != std::string::npos;
+    const bool part = is_part(target, candidate) || is_part(candidate, target);
     // A whole part counts as nearly as good as one wrong letter.
     if (distance <= near && distance < target.size())
       found.emplace_back(2 * distance, name);

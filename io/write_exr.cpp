@@ -54,7 +54,7 @@ struct Channels {
   void add(const std::string& name, const Value* first, std::size_t stride) {
     constexpr Imf::PixelType type = sizeof(Value) == sizeof(float) ? Imf::FLOAT : Imf::HALF;
     const Imath::Box2i& window = header.dataWindow();
-    const std::size_t width = static_cast<std::size_t>(window.max.x - window.min.x + 1);
+    const std::size_t width = static_cast<std::size_t>(window.size().x) + 1;
     header.channels().insert(name, Imf::Channel(type));
     frame.insert(name, Imf::Slice::Make(type, first, window, stride * sizeof(Value),
                                         width * stride * sizeof(Value)));

@@ -80,7 +80,7 @@ void set(TIFF* tiff, std::uint32_t tag, Values... values) {
 }
 
 void set_layout(TIFF* tiff, const PixelWindow& data, const Samples& samples) {
-  constexpr std::size_t strip_bytes = 256 * 1024; // large enough for deflate, small for readers
+  constexpr std::size_t strip_bytes = 1 << 18; // large enough for deflate, small for readers
   const std::size_t rows = std::max<std::size_t>(1, strip_bytes / samples.row_bytes(data.width()));
   set(tiff, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(data.width()));
   set(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(data.height()));

@@ -1,0 +1,48 @@
+#include "tests/catch.h"
+#include "tests/render_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace abbe;
+
+namespace {
+
+/// Largest departure from 1 of any band of any pixel when the solid stands in light of radiance 1
+/// from all sides. A lossless solid is then invisible: each pixel's path tree reaches the same
+/// radiance at every leaf, R + T = 1 at every node, and the factors n^2 cancel on the way out.
+double furnace_error(const std::string& solid, const std::string& options) {
+  const Scene scene = test::scene_from("background E 1\n"
+                                       "eye 1.7 1.1 5  lookAt 0 0 0  fieldOfView 28\n"
+                                       "imageSize 12 12  samples 1  maxRecursionDepth 100000\n"
+                                       "minThroughput 1e-9\n" +
+                                       options + "\n" + solid);
+  const Rendering r = test::render_scene(scene, true);
+  double worst = 0.0;
+  for (int y = 0; y < 12; ++y)
+    for (int x = 0; x < 12; ++x)
+      for (int b = 0; b < r.film.bands(); ++b)
+        worst = std::max(worst, std::abs(r.film.radiance(x, y, b) - 1.0));
+  CHECK(r.film.refused().not_finite == 0);
+  CHECK(r.film.refused().negative == 0);
+  CHECK(r.film.alpha(6, 6) == 1.0); // the solid is there
+  return worst;
+}
+
+} // namespace
+
+TEST_CASE("lossless glass solids are invisible in a white furnace, band by band") {
+  for (const char* solid :
+       {"glass SF11 sphere", "glass N-BK7 cube", "glass SF11 rotate 25 0 1 0 prism",
+        "glass N-BK7 scale 1 1 0.5 sphere",
+        "glass F2 lens push translate 0 0 0.6 sphere pop push translate 0 0 -0.6 sphere pop"}) {
+    INFO(solid);
+    CHECK(furnace_error(solid, "exact on") < 1e-5);
+    CHECK(furnace_error(solid, "exact off maxFan 81") < 1e-5);
+  }
+}
+
+TEST_CASE("solids within solids are invisible too") {
+  CHECK(furnace_error("glass SF11 sphere priority 1 glass N-BK7 push scale 0.5 0.5 0.5 cube pop",
+                      "exact on maxRecursionDepth 60 minThroughput 1e-7") < 1e-4);
+}

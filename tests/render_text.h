@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/plan.h"
+#include "core/render.h"
+#include "io/read_scene.h"
+
+#include <atomic>
+#include <string>
+
+namespace abbe::test {
+
+/// A scene from text. Warnings are dropped.
+inline Scene scene_from(const std::string& text) {
+  return read_scene_text(text, "test.sdl", [](const std::string&) {});
+}
+
+/// One of the project's scenes, small: `size` pixels per side.
+inline Scene project_scene(const std::string& name, int size) {
+  Scene scene = read_scene(std::string(ABBE_SOURCE_DIR) + "/scenes/" + name + ".sdl",
+                           [](const std::string&) {});
+  scene.settings.width = scene.settings.height = size;
+  scene.settings.crop.reset();
+  return scene;
+}
+
+inline Rendering render_scene(const Scene& scene, bool keep_bands) {
+  const Plan plan = make_plan(scene, scene.settings);
+  const World world(scene.shapes, farthest_coordinate(scene));
+  const std::atomic<bool> never = false;
+  return render(scene, plan, world, keep_bands, {}, never);
+}
+
+} // namespace abbe::test
