@@ -12,11 +12,8 @@ BandTable::BandTable(const std::vector<double>& values)
 }
 
 BandTable BandTable::at_centers(const BandGrid& grid, const Curve& curve, bool keep_constant) {
-  if (const auto constant = curve.constant_value(); constant && keep_constant) {
-    BandTable table(static_cast<float>(*constant), grid.count());
-    table.zero_ = *constant == 0.0;
-    return table;
-  }
+  if (const auto constant = curve.constant_value(); constant && keep_constant)
+    return {static_cast<float>(*constant), grid.count()};
   std::vector<double> values;
   for (int b = 0; b < grid.count(); ++b)
     values.push_back(curve.at(grid.center_nm(b)));

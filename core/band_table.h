@@ -22,7 +22,7 @@ public:
   BandTable() : BandTable(0.0f, 0) {}
   /// The same value in every band.
   BandTable(float constant, int bands)
-      : values_(padded_band_count(bands), constant), constant_(constant) {}
+      : values_(padded_band_count(bands), constant), constant_(constant), zero_(constant == 0.0f) {}
   /// One value per band.
   explicit BandTable(const std::vector<double>& values);
   /// The curve's value at every band's centre. With `keep_constant` off a constant curve is stored
@@ -40,19 +40,6 @@ private:
   std::optional<float> constant_;
   bool zero_ = false;
 };
-
-/// target[b] *= table[b] * factor for the bands from first to last (exclusive).
-inline void multiply(float* target, const BandTable& table, float factor, int first, int last) {
-  if (const auto constant = table.constant()) {
-    const float product = *constant * factor;
-    for (int b = first; b < last; ++b)
-      target[b] *= product;
-  } else {
-    const float* values = table.data();
-    for (int b = first; b < last; ++b)
-      target[b] *= values[b] * factor;
-  }
-}
 
 /// sum[b] += throughput[b] * table[b] * factor for the bands from first to last (exclusive).
 inline void accumulate(float* sum, const float* throughput, const BandTable& table, float factor,

@@ -65,6 +65,8 @@ Metadata render_metadata(const Plan& plan) {
                 {"abbe/shadows", name(s.shadows)},
                 {"abbe/depth", fmt::format("{}", s.max_depth)},
                 {"abbe/minThroughput", fmt::format("{}", s.min_throughput)},
+                {"abbe/minReflectivity", fmt::format("{}", s.min_reflectivity)},
+                {"abbe/minTransparency", fmt::format("{}", s.min_transparency)},
                 {"abbe/jitter", s.jitter ? "on" : "off"},
                 {"abbe/exact", s.exact ? "on" : "off"}};
   if (!s.exact) {

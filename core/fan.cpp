@@ -100,8 +100,19 @@ void Fan::add_undivided(Range range) {
   cells_.push_back(std::move(cell));
 }
 
+/// A band that shares another's ray into a denser medium meets the parallel face behind it with
+/// sin = sin(i) / n_shared; it can only leave there while n_own sin < 1. True when all of the
+/// range's bands can, so that none is caught inside where its own ray would not have been.
+bool Fan::all_would_leave(Range range) const {
+  const double a = n_after_[range.first] / n_before_[range.first];
+  const double b = n_after_[range.last - 1] / n_before_[range.last - 1];
+  const double ratio = std::min(a, b) / std::max(a, b);
+  return cos_i_ * cos_i_ > 1.0 - ratio * ratio;
+}
+
 /// Rays of the outermost bands of the range are traced already.
 bool Fan::may_share(Range range) const {
+  if (!all_would_leave(range)) return false;
   const BandRay& a = band_rays_[static_cast<std::size_t>(range.first)];
   const BandRay& b = band_rays_[static_cast<std::size_t>(range.last - 1)];
   const double tolerance = plan_.settings.tolerance_pixels * pixel_angle_;
@@ -109,6 +120,9 @@ bool Fan::may_share(Range range) const {
       carried_direction_spread_ + glm::distance(a.state.ray.direction, b.state.ray.direction);
   if (!a.hit && !b.hit) return parted <= tolerance;
   if (!a.hit || !b.hit || a.hit->shape != b.hit->shape || a.hit->face != b.hit->face) return false;
+  // A path that goes on from there takes the parted directions along, over ways not known yet.
+  const MaterialPlan& material = plan_.materials[a.hit->material.index()];
+  if ((material.reflects || material.transmits) && parted > tolerance) return false;
   const double way = std::max(a.hit->t, b.hit->t);
   const double spread = position_spread_ + carried_direction_spread_ * way +
                         glm::distance(a.hit->point, b.hit->point);
@@ -122,12 +136,22 @@ void Fan::want(int band) {
   wanted_.push_back(band);
 }
 
+/// How many sub-bundles of a range may be followed. The noise of a branch kept as m of them goes as
+/// throughput^2 / m and its cost as m, so the least noise for a given cost is had with m in
+/// proportion to throughput.
+std::size_t Fan::sub_bundles_allowed(Range range, double throughput) const {
+  const double bands = range.last - range.first;
+  if (plan_.follows_all()) return static_cast<std::size_t>(bands);
+  const double live = std::max(plan_.live_last - plan_.live_first, 1);
+  const double share = plan_.settings.max_fan * bands / live * std::min(throughput, 1.0);
+  return static_cast<std::size_t>(std::max(1.0, std::round(share)));
+}
+
 /// Halves ranges of bands, all of one size before the next smaller, until each may share a ray or
 /// the path's share of sub-bundles is used up.
-void Fan::part(Range whole, PathWavelengths& wavelengths, std::uint64_t& rays_traced) {
-  const int live = std::max(plan_.live_last - plan_.live_first, 1);
-  const auto most = static_cast<std::size_t>(
-      std::max(1, plan_.settings.max_fan * (whole.last - whole.first) / live));
+void Fan::part(Range whole, double throughput, PathWavelengths& wavelengths,
+               std::uint64_t& rays_traced) {
+  const std::size_t most = sub_bundles_allowed(whole, throughput);
   strata_.clear();
   ranges_.assign(1, whole);
   while (!ranges_.empty()) {
@@ -182,8 +206,8 @@ void Fan::trace_shared_cells(std::uint64_t& rays_traced) {
 }
 
 const std::vector<FanCell>& Fan::refract(const Bundle& bundle, int first, int last,
-                                         PathWavelengths& wavelengths, double choice,
-                                         std::uint64_t& rays_traced) {
+                                         double throughput, PathWavelengths& wavelengths,
+                                         double choice, std::uint64_t& rays_traced) {
   prepare(bundle, first, last, wavelengths);
   const Hit& hit = *bundle.hit;
   const auto achromatic = [&](MediumId id) { return plan_.medium(id).index.achromatic(); };
@@ -196,7 +220,7 @@ const std::vector<FanCell>& Fan::refract(const Bundle& bundle, int first, int la
     for (int b = first; b < last; ++b)
       add_band(b, 1.0f);
   } else {
-    part({first, last}, wavelengths, rays_traced);
+    part({first, last}, throughput, wavelengths, rays_traced);
     keep_one_of_each_stratum(choice, rays_traced);
   }
   trace_shared_cells(rays_traced);

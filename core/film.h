@@ -19,7 +19,8 @@ public:
 
   /// Adds one sample of a pixel inside the window. `radiance` holds one value per band when the
   /// film keeps bands. Values that are not finite, negative ones and overflows are counted and
-  /// left out. One pixel must not be added to by two threads at once.
+  /// left out: they add nothing, though their sample counts. One pixel must not be added to by two
+  /// threads at once.
   void add(int x, int y, const Xyz& color, bool covered, std::span<const float> radiance);
 
   [[nodiscard]] const PixelWindow& window() const { return window_; }
@@ -54,7 +55,7 @@ private:
   std::vector<std::int64_t> band_sums_;               ///< per pixel, per band
   std::vector<std::uint32_t> counts_;                 ///< samples per pixel
   std::vector<std::uint32_t> covered_;                ///< samples that met a surface
-  std::vector<std::array<std::uint16_t, 3>> refused_; ///< per pixel, so that threads do not share
+  std::vector<std::array<std::uint32_t, 3>> refused_; ///< per pixel, so that threads do not share
 };
 
 } // namespace abbe

@@ -1,5 +1,6 @@
 #include "core/plan.h"
 
+#include "core/plan_extent.h"
 #include "core/plan_tiles.h"
 #include "spectral/observer.h"
 
@@ -80,8 +81,9 @@ void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
     m.transparency = table(material.transparency);
     m.specular_exponent = static_cast<float>(material.specular_exponent);
     m.fresnel = material.fresnel;
-    m.reflects = largest(m.reflectivity) > settings.min_reflectivity;
-    m.transmits = largest(m.transparency) > settings.min_transparency;
+    m.dielectric = !m.transparency.zero();
+    m.reflects = largest(m.reflectivity) > static_cast<float>(settings.min_reflectivity);
+    m.transmits = largest(m.transparency) > static_cast<float>(settings.min_transparency);
     m.lit = !m.diffuse.zero() || !m.specular.zero();
     if (material.emission.constant_value() != 0.0)
       m.emission_source = sources.add(material.emission);
@@ -122,27 +124,14 @@ void find_live_bands(Plan& plan) {
   plan.last_band = plan.settings.skip ? last : plan.grid.count();
   const int dead = plan.grid.count() - (last - first);
   if (dead == 0) return;
+  if (first == last) {
+    plan.notes.push_back("nothing gives light: the picture is black");
+    return;
+  }
   plan.notes.push_back(fmt::format("{} of {} bands carry no light (only {:.1f} to {:.1f} nm do){}",
                                    dead, plan.grid.count(), plan.grid.lower_nm(first),
-                                   last > first
-                                       ? plan.grid.lower_nm(last - 1) + plan.grid.width_nm()
-                                       : plan.grid.lower_nm(first),
+                                   plan.grid.lower_nm(last),
                                    plan.settings.skip ? ": left out" : ": carried, as asked"));
-}
-
-/// A power of two that is small against anything the scene can show: 2^-36 of its brightest source.
-/// Lamps whose light falls off count at the distance of the scene's size.
-double film_quantum(const Scene& scene) {
-  double brightest = std::max(to_xyz(scene.background).y, to_xyz(scene.global_ambient).y);
-  const double size = std::max(farthest_coordinate(scene), 1e-300);
-  for (const Light& light : scene.lights) {
-    const double value = to_xyz(light.spectrum).y;
-    brightest =
-        std::max(brightest, light.falloff == Falloff::square ? value / (size * size) : value);
-  }
-  for (const Material& material : scene.materials)
-    brightest = std::max(brightest, to_xyz(material.emission).y);
-  return brightest > 0.0 ? std::ldexp(1.0, std::ilogb(brightest) - 36) : 1.0;
 }
 
 void note_content(const Scene& scene, Plan& plan) {
@@ -172,21 +161,6 @@ void note_content(const Scene& scene, Plan& plan) {
 
 } // namespace
 
-double farthest_coordinate(const Scene& scene) {
-  double farthest = 0.0;
-  const auto include = [&](const dvec3& p) {
-    farthest = std::max({farthest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  };
-  include(scene.camera.eye);
-  for (const PlacedShape& shape : scene.shapes)
-    farthest = std::max(farthest, bounds(shape).largest_coordinate());
-  for (const Light& light : scene.lights) {
-    if (const auto* point = std::get_if<PointLight>(&light.emitter)) include(point->position);
-    if (const auto* spot = std::get_if<SpotLight>(&light.emitter)) include(spot->position);
-  }
-  return farthest;
-}
-
 Plan make_plan(const Scene& scene, const RenderSettings& settings) {
   Plan plan;
   plan.settings = settings;
@@ -210,7 +184,7 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
         fmt::format("the crop {},{},{},{} is not a part of the {} x {} image", plan.window.x0,
                     plan.window.y0, plan.window.x1, plan.window.y1, full.x1, full.y1));
   plan.tiles = make_tiles(scene, plan.window, settings);
-  plan.quantum = film_quantum(scene);
+  plan.quantum = film_quantum(scene, plan.grid);
   note_content(scene, plan);
   return plan;
 }

@@ -23,7 +23,8 @@ struct MaterialPlan {
   BandTable ambient, diffuse, specular, reflectivity, transparency;
   float specular_exponent = 1.0f;
   bool fresnel = true;
-  bool reflects = false, transmits = false, lit = false;
+  bool dielectric = false; ///< lets light in, so reflection too goes by its index
+  bool reflects = false, transmits = false, lit = false; ///< what paths follow
   int emission_source = -1; ///< index into Plan::sources; negative: emits nothing
 };
 
@@ -65,6 +66,11 @@ struct Plan {
   double quantum = 1.0; ///< of the film's sums
 
   std::vector<std::string> notes; ///< what was found and what is left out, for people
+
+  /// True when no roulette is needed: every band may have a sub-bundle of its own.
+  [[nodiscard]] bool follows_all() const {
+    return settings.exact || settings.max_fan >= live_last - live_first;
+  }
 
   static constexpr int kBackground = 0, kAmbient = 1;
   [[nodiscard]] int light_source(std::size_t light) const { return 2 + static_cast<int>(light); }

@@ -23,13 +23,13 @@ public:
   [[nodiscard]] std::span<const float> radiance();
 
 private:
-  [[nodiscard]] float* sums(int accumulator) {
+  [[nodiscard]] double* sums(int accumulator) {
     return sums_.data() + static_cast<std::size_t>(accumulator) * plan_.stride;
   }
 
   const Plan& plan_;
-  std::vector<float> sums_;
-  std::vector<float> scratch_;
+  std::vector<double> sums_; ///< in double: deep trees add millions of faint terms
+  std::vector<float> radiance_;
 };
 
 } // namespace abbe

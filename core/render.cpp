@@ -5,6 +5,8 @@
 #include "core/sampler.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -122,6 +124,7 @@ public:
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
   [[nodiscard]] const RayCounts& rays() const { return rays_; }
+  [[nodiscard]] bool complete() const { return done_ == steps_; }
 
 private:
   const ProgressCallback& callback_;
@@ -143,7 +146,10 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
   const Nesting camera_nesting = world.nesting_at(scene.camera.eye);
   const int passes = (settings.samples_per_pixel + kSamplesPerPass - 1) / kSamplesPerPass;
   ProgressMeter meter(progress, static_cast<std::size_t>(passes) * plan.tiles.size());
-  tbb::task_arena arena(settings.threads > 0 ? settings.threads : tbb::task_arena::automatic);
+  const int threads = settings.threads > 0 ? settings.threads : tbb::info::default_concurrency();
+  const tbb::global_control workers(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
 
   for (int pass = 0; pass < passes && !stop; ++pass) {
     const SampleRange samples{pass * kSamplesPerPass,
@@ -161,7 +167,7 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
   }
   result.rays = meter.rays();
   result.seconds = meter.seconds();
-  result.complete = !stop;
+  result.complete = meter.complete(); // a stop after the last tile came too late to matter
   return result;
 }
 

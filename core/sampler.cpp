@@ -89,6 +89,15 @@ dvec2 Sampler::pair(std::uint32_t purpose) const {
           unit(owen_scrambled(sobol_second(index), static_cast<std::uint32_t>(b)))};
 }
 
+DecisionStream Sampler::decisions() const {
+  return DecisionStream(mixed(key_ ^ mixed(index_)));
+}
+
+double DecisionStream::next() {
+  state_ += 0x9e3779b97f4a7c15ull;
+  return static_cast<double>(mixed(state_) >> 11) * 0x1p-53;
+}
+
 dvec2 filter_offset(PixelFilter filter, const dvec2& u) {
   switch (filter) {
   case PixelFilter::box:

@@ -10,6 +10,16 @@ namespace abbe {
 
 using glm::dvec2;
 
+/// A stream of independent numbers in [0, 1) for yes-or-no decisions along a path.
+class DecisionStream {
+public:
+  explicit DecisionStream(std::uint64_t key = 0) : state_(key) {}
+  [[nodiscard]] double next();
+
+private:
+  std::uint64_t state_;
+};
+
 /// The random numbers of one camera sample. They depend on pixel, sample index and seed alone.
 /// Each pair of dimensions is an Owen-scrambled Sobol' (0,2)-sequence over the sample index
 /// [Burley20], so any power-of-two number of samples is stratified in it.
@@ -19,6 +29,8 @@ public:
 
   /// Two numbers in [0, 1) for one purpose. Purposes are statistically independent.
   [[nodiscard]] dvec2 pair(std::uint32_t purpose) const;
+  /// The path's stream of decisions; the same each time it is asked for.
+  [[nodiscard]] DecisionStream decisions() const;
 
 private:
   std::uint32_t index_;

@@ -30,7 +30,7 @@ struct RenderSettings {
   Integrator integrator = Integrator::whitted;
   PixelFilter filter = PixelFilter::gaussian;
 
-  int max_depth = 16;            ///< surfaces met one after the other by a path
+  int max_depth = 16;            ///< how often a path may be reflected or refracted
   double min_throughput = 1e-3;  ///< a branch whose every band carries less is dropped
   double min_reflectivity = 0.0; ///< the thesis's: no reflected ray from surfaces below it
   double min_transparency = 0.0; ///< the thesis's: no refracted ray through surfaces below it

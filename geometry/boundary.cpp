@@ -18,31 +18,15 @@ MaterialId material_of(const PlacedShape& placed, FaceId face) {
   return placed.material;
 }
 
-/// Which of two coinciding shapes shows: an opaque one before a glass, then the higher priority,
-/// then the one defined last (so a decal may lie on a wall).
-bool shows_before(const std::vector<PlacedShape>& shapes, ShapeId a, ShapeId b) {
-  const auto rank = [&](ShapeId id) {
-    const PlacedShape& p = shapes[id.index()];
-    return std::tuple(!p.medium.valid(), p.priority, id);
-  };
-  return rank(a) > rank(b);
-}
-
 /// Point and outward normal of a crossing, in the world.
 void place(const PlacedShape& placed, FaceId face, const dvec3& near_point, Hit& hit) {
   const Transform& to_world = placed.to_world;
   const dvec3 local = to_world.inverse_point(near_point);
   std::visit(
       [&](const auto& shape) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, CsgTree>) {
-          const dvec3 on_surface = snapped(shape, local, face);
-          hit.point = to_world.point(on_surface);
-          hit.normal = to_world.normal(outward_normal(shape, on_surface, face));
-        } else {
-          const dvec3 on_surface = snapped(shape, local, face.face);
-          hit.point = to_world.point(on_surface);
-          hit.normal = to_world.normal(outward_normal(shape, on_surface, face.face));
-        }
+        const dvec3 on_surface = snapped(shape, local, face);
+        hit.point = to_world.point(on_surface);
+        hit.normal = to_world.normal(outward_normal(shape, on_surface, face));
       },
       placed.shape);
 }
@@ -54,79 +38,93 @@ void enter_or_leave(Nesting& nesting, ShapeId shape, bool entering) {
   if (entering && found == nesting.end() && !nesting.full()) nesting.push_back(shape);
 }
 
+/// The crossing that shows: an opaque or flat shape before glass, then the highest priority, then
+/// the shape defined last (as for medium_of). Never the one that rounding happens to put first.
+const Candidate& shown(const std::vector<PlacedShape>& shapes, const Coincident& crossings) {
+  const auto rank = [&](const Candidate& c) {
+    const PlacedShape& placed = shapes[c.shape.index()];
+    return std::tuple(!placed.medium.valid(), placed.priority, c.shape);
+  };
+  const Candidate* highest = crossings.begin();
+  for (const Candidate& c : crossings)
+    if (rank(c) > rank(*highest)) highest = &c;
+  return *highest;
+}
+
+void touch(Hit& hit, const Candidate& c) {
+  if (hit.same_side.full()) return;
+  const bool entering = c.crossing.entering;
+  hit.same_side.push_back({c.shape, c.crossing.face, entering ? Side::outside : Side::inside});
+  hit.other_side.push_back({c.shape, c.crossing.face, entering ? Side::inside : Side::outside});
+}
+
+/// Where the ray has not moved, it still lies on the surfaces it lay on: a ray in a corner meets
+/// one wall after another.
+void keep_contacts(Hit& hit, const Contacts& contacts) {
+  for (const SurfaceContact& old : contacts) {
+    const bool crossed =
+        std::any_of(hit.same_side.begin(), hit.same_side.end(),
+                    [&](const SurfaceContact& contact) { return contact.shape == old.shape; });
+    if (crossed || hit.same_side.full()) continue;
+    hit.same_side.push_back(old);
+    hit.other_side.push_back(old);
+  }
+}
+
 } // namespace
 
 bool NearestCandidates::offer(const Candidate& candidate) {
-  if (candidate.crossing.t - candidate.crossing.t_error > reach_) return false;
-  reach_ = std::min(reach_, latest(candidate.crossing));
-  if (!kept_.full()) {
-    kept_.push_back(candidate);
-    return true;
-  }
-  auto* last = std::max_element(kept_.begin(), kept_.end(), before);
-  if (before(candidate, *last)) *last = candidate;
-  return true;
-}
-
-FixedVector<Candidate, 8> NearestCandidates::boundary() const {
-  FixedVector<Candidate, 8> nearest;
-  for (const Candidate& c : kept_) {
-    if (c.crossing.t - c.crossing.t_error > reach_) continue;
-    nearest.push_back(c);
-    for (std::size_t i = nearest.size() - 1; i > 0 && before(nearest[i], nearest[i - 1]); --i)
-      std::swap(nearest[i], nearest[i - 1]);
-  }
-  return nearest;
+  const ShapeCrossing& crossing = candidate.crossing;
+  if (crossing.t - crossing.t_error > reach_) return false;
+  reach_ = std::min(reach_, crossing.t + crossing.t_error);
+  for (std::size_t i = kept_.size(); i-- > 0;)
+    if (kept_[i].crossing.t - kept_[i].crossing.t_error > reach_) kept_.erase(i);
+  std::size_t place = kept_.size();
+  while (place > 0 && before(candidate, kept_[place - 1]))
+    --place;
+  return kept_.insert(place, candidate);
 }
 
 MediumId medium_of(const std::vector<PlacedShape>& shapes, const Nesting& nesting) {
-  MediumId medium;
-  int highest = 0;
+  const PlacedShape* prevailing = nullptr;
   ShapeId owner;
   for (const ShapeId id : nesting) {
     const PlacedShape& placed = shapes[id.index()];
     if (!placed.medium.valid()) continue;
-    const bool above =
-        !owner.valid() || placed.priority > highest || (placed.priority == highest && id > owner);
-    if (!above) continue;
+    if (prevailing && std::tuple(placed.priority, id) < std::tuple(prevailing->priority, owner))
+      continue;
+    prevailing = &placed;
     owner = id;
-    highest = placed.priority;
-    medium = placed.medium;
   }
-  return medium;
+  return prevailing ? prevailing->medium : MediumId{};
 }
 
 Boundary resolve(const std::vector<PlacedShape>& shapes, const RayState& state,
-                 const FixedVector<Candidate, 8>& crossings) {
+                 const Coincident& crossings) {
+  const Candidate& seen = shown(shapes, crossings);
+  const PlacedShape& placed = shapes[seen.shape.index()];
   Boundary boundary;
   Hit& hit = boundary.hit;
-  hit.nesting_after = state.nesting;
-  const Candidate* shown = nullptr;
-  for (const Candidate& c : crossings) {
-    const PlacedShape& placed = shapes[c.shape.index()];
-    const bool solid = is_solid(placed.shape);
-    if (solid) enter_or_leave(hit.nesting_after, c.shape, c.crossing.entering);
-    if (!hit.same_side.full()) {
-      const bool now_inside = solid && !c.crossing.entering;
-      hit.same_side.push_back(
-          {c.shape, c.crossing.face, now_inside ? Side::inside : Side::outside});
-      hit.other_side.push_back(
-          {c.shape, c.crossing.face, solid && !now_inside ? Side::inside : Side::outside});
-    }
-    if (!shown || shows_before(shapes, c.shape, shown->shape)) shown = &c;
-  }
-  const PlacedShape& placed = shapes[shown->shape.index()];
-  hit.t = shown->crossing.t;
-  hit.shape = shown->shape;
-  hit.face = shown->crossing.face;
+  hit.t = seen.crossing.t;
+  hit.shape = seen.shape;
+  hit.face = seen.crossing.face;
+  hit.entering = seen.crossing.entering;
   hit.material = material_of(placed, hit.face);
-  hit.medium_before = medium_of(shapes, state.nesting);
-  const bool opaque = !placed.medium.valid();
-  hit.medium_after = opaque ? hit.medium_before : medium_of(shapes, hit.nesting_after);
-  boundary.visible = opaque || hit.medium_before != hit.medium_after;
   place(placed, hit.face, state.ray.at(hit.t), hit);
-  hit.entering = is_solid(placed.shape) ? shown->crossing.entering
-                                        : glm::dot(hit.normal, state.ray.direction) < 0.0;
+
+  touch(hit, seen); // the surface that shows comes first
+  hit.nesting_before = hit.nesting_after = state.nesting;
+  for (const Candidate& c : crossings) {
+    if (c.shape != seen.shape) touch(hit, c);
+    if (is_solid(shapes[c.shape.index()].shape))
+      enter_or_leave(hit.nesting_after, c.shape, c.crossing.entering);
+  }
+  if (hit.t == 0.0) keep_contacts(hit, state.contacts);
+
+  const bool opaque = !placed.medium.valid();
+  hit.medium_before = medium_of(shapes, hit.nesting_before);
+  hit.medium_after = medium_of(shapes, hit.nesting_after);
+  boundary.visible = opaque || hit.medium_before != hit.medium_after;
   return boundary;
 }
 

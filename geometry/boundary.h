@@ -3,7 +3,6 @@
 #include "geometry/ray_state.h"
 #include "geometry/shape.h"
 
-#include <optional>
 #include <vector>
 
 namespace abbe {
@@ -14,8 +13,11 @@ struct Candidate {
   ShapeCrossing crossing;
 };
 
+/// Crossings that rounding cannot tell apart, by distance, then shape.
+using Coincident = FixedVector<Candidate, 8>;
+
 /// The candidates nearest to a ray's origin: all crossings that rounding cannot tell from the
-/// first. The final content does not depend on the order in which candidates come.
+/// first. The content does not depend on the order in which candidates come.
 class NearestCandidates {
 public:
   /// Keeps the candidate if it can belong to the nearest boundary. True when it was kept.
@@ -23,12 +25,10 @@ public:
   [[nodiscard]] bool empty() const { return kept_.empty(); }
   /// Beyond this distance nothing can belong to the nearest boundary any more.
   [[nodiscard]] double reach() const { return reach_; }
-  /// The nearest boundary's crossings, by distance, then shape.
-  [[nodiscard]] FixedVector<Candidate, 8> boundary() const;
+  [[nodiscard]] const Coincident& boundary() const { return kept_; }
 
 private:
-  [[nodiscard]] static double latest(const ShapeCrossing& c) { return c.t + c.t_error; }
-  FixedVector<Candidate, 8> kept_;
+  Coincident kept_;
   double reach_ = kInfinity;
 };
 
@@ -36,13 +36,13 @@ private:
 [[nodiscard]] MediumId medium_of(const std::vector<PlacedShape>& shapes, const Nesting& nesting);
 
 /// What the ray meets at the nearest boundary, all coinciding crossings taken as one. A shape
-/// without a medium (opaque or flat) shows before any other; else the media on the two sides
-/// decide. `visible` is false where nothing is to be seen: equal media on both sides.
+/// without a medium (opaque or flat) shows before any other; else the one whose medium prevails.
+/// `visible` is false where nothing is to be seen: equal media on both sides.
 struct Boundary {
   Hit hit;
   bool visible = true;
 };
 [[nodiscard]] Boundary resolve(const std::vector<PlacedShape>& shapes, const RayState& state,
-                               const FixedVector<Candidate, 8>& crossings);
+                               const Coincident& crossings);
 
 } // namespace abbe

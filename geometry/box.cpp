@@ -6,9 +6,9 @@
 namespace abbe {
 namespace {
 
-double root_error(const LocalRay& ray, double speed, double t) {
-  const double shift = ray.coordinate_error + 16.0 * kRoundoff * (1.0 + glm::length(ray.origin));
-  return shift / speed + 4.0 * kRoundoff * std::abs(t);
+Root with_error(const LocalRay& ray, Root root) {
+  root.t_error = plane_root_error(ray, std::abs(ray.direction[root.face.face / 2]), root.t, 1.0);
+  return root;
 }
 
 } // namespace
@@ -28,18 +28,18 @@ std::optional<Interval> intersect(const Box&, const LocalRay& ray, const FaceCon
     const double sign = d > 0.0 ? 1.0 : -1.0;
     const double t_exit = (sign - o) / d;
     if (t_exit < inside.exit.t && !(contact && contact->face == exit_face))
-      inside.exit = {t_exit, root_error(ray, std::abs(d), t_exit), {0, exit_face}};
+      inside.exit = {t_exit, 0.0, {0, exit_face}};
     const double t_enter = (-sign - o) / d;
-    if (t_enter > inside.enter.t)
-      inside.enter = {t_enter, root_error(ray, std::abs(d), t_enter), {0, exit_face ^ 1}};
+    if (t_enter > inside.enter.t) inside.enter = {t_enter, 0.0, {0, exit_face ^ 1}};
   }
   if (contact) {
     inside.enter = {0.0, 0.0, {0, contact->face}};
+    inside.exit = with_error(ray, inside.exit);
     inside.exit.t = std::max(0.0, inside.exit.t);
     return inside;
   }
   if (inside.enter.t > inside.exit.t) return std::nullopt;
-  return inside;
+  return Interval{with_error(ray, inside.enter), with_error(ray, inside.exit)};
 }
 
 dvec3 outward_normal(const Box&, const dvec3&, int face) {

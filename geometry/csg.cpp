@@ -6,12 +6,6 @@
 namespace abbe {
 namespace {
 
-LocalRay leaf_ray(const CsgLeaf& leaf, const LocalRay& ray) {
-  const Ray local = leaf.to_tree.inverse_ray({ray.origin, ray.direction});
-  return {local.origin, local.direction,
-          leaf.to_tree.inverse_error(ray.origin, ray.coordinate_error)};
-}
-
 /// Whether the combined solid holds a stretch of the line that is inside or outside its operands.
 bool combined(CsgOperation operation, bool in_left, bool in_right) {
   switch (operation) {
@@ -25,33 +19,54 @@ bool combined(CsgOperation operation, bool in_left, bool in_right) {
   return false;
 }
 
-/// Walks two ascending interval lists, [begin, middle) and [middle, end) of `lists`, from one root
-/// to the next and appends their combination after `end`.
+/// True when rounding cannot tell which of two roots comes first.
+bool coincide(const Root& a, const Root& b) {
+  return std::abs(a.t - b.t) <= a.t_error + b.t_error;
+}
+
+/// A walk along an ascending interval list, from root to root.
+struct Walk {
+  std::size_t next, stop; ///< indices into the intervals
+  bool inside = false;
+
+  [[nodiscard]] bool done() const { return next >= stop; }
+  [[nodiscard]] const Root& root(const std::vector<Interval>& lists) const {
+    return inside ? lists[next].exit : lists[next].enter;
+  }
+  void pass() {
+    if (inside) ++next;
+    inside = !inside;
+  }
+};
+
+/// Walks two ascending interval lists, [begin, middle) and [middle, end) of `lists`, and appends
+/// their combination after `end`. Where a root of one coincides with a root of the other, both are
+/// passed at once: faces that touch leave neither a gap between them nor a film.
 void merge(CsgOperation operation, std::vector<Interval>& lists, std::size_t begin,
            std::size_t middle, std::size_t end) {
-  std::size_t left = begin, right = middle;
-  bool in_left = false, in_right = false, inside = false;
+  Walk left{begin, middle}, right{middle, end};
+  bool inside = false;
   Interval open;
-  while (left < end || right < end) {
-    const auto next = [&](std::size_t i, std::size_t stop, bool in) {
-      return i >= stop ? kInfinity : in ? lists[i].exit.t : lists[i].enter.t;
-    };
-    const bool left_done = left >= middle, right_done = right >= end;
-    if (left_done && right_done) break;
-    const bool take_left =
-        right_done || (!left_done && next(left, middle, in_left) <= next(right, end, in_right));
-    std::size_t& i = take_left ? left : right;
-    bool& in = take_left ? in_left : in_right;
-    const Root root = in ? lists[i].exit : lists[i].enter;
-    if (in) ++i;
-    in = !in;
-    const bool now = combined(operation, in_left, in_right);
-    if (now && !inside) open.enter = root;
-    if (!now && inside) {
-      open.exit = root;
-      if (open.enter.t < open.exit.t) lists.push_back(open);
+  while (!left.done() || !right.done()) {
+    const bool both = !left.done() && !right.done();
+    const bool left_first = right.done() || (both && left.root(lists).t <= right.root(lists).t);
+    Walk& first = left_first ? left : right;
+    Walk& second = left_first ? right : left;
+    const bool together = both && coincide(first.root(lists), second.root(lists));
+    Root root = first.root(lists);
+    first.pass();
+    bool now = combined(operation, left.inside, right.inside);
+    if (together) {
+      if (now == inside) root = second.root(lists);
+      second.pass();
+      now = combined(operation, left.inside, right.inside);
     }
+    if (now == inside) continue;
     inside = now;
+    if (inside)
+      open.enter = root;
+    else if (open.exit = root; open.enter.t < open.exit.t)
+      lists.push_back(open);
   }
 }
 
@@ -107,9 +122,9 @@ void intersect(const CsgTree& tree, const LocalRay& ray, const CsgContact* conta
       const CsgLeaf& leaf = tree.leaves()[static_cast<std::size_t>(step.leaf)];
       const FaceContact* face = contact && contact->leaf == step.leaf ? &contact->face : nullptr;
       starts.push_back(intervals.size());
-      auto found =
-          std::visit([&](const auto& solid) { return intersect(solid, leaf_ray(leaf, ray), face); },
-                     leaf.solid);
+      auto found = std::visit(
+          [&](const auto& solid) { return intersect(solid, local_ray(leaf.to_tree, ray), face); },
+          leaf.solid);
       if (found) {
         found->enter.face.leaf = found->exit.face.leaf = step.leaf;
         intervals.push_back(*found);

@@ -25,6 +25,15 @@ public:
     assert(!full());
     values_[size_++] = value;
   }
+  /// Puts the value before the one at `i`. A full list drops its last; false when that is `value`.
+  bool insert(std::size_t i, const T& value) {
+    if (i == Capacity) return false;
+    if (!full()) ++size_;
+    for (std::size_t k = size_ - 1; k > i; --k)
+      values_[k] = values_[k - 1];
+    values_[i] = value;
+    return true;
+  }
   /// Removes the value at `i`; the order of the others is kept.
   void erase(std::size_t i) {
     for (std::size_t k = i + 1; k < size_; ++k)

@@ -9,8 +9,7 @@ std::optional<Root> intersect(const Square&, const LocalRay& ray) {
   const double t = -ray.origin.z / ray.direction.z;
   const dvec3 p = ray.at(t);
   if (std::abs(p.x) > 1.0 || std::abs(p.y) > 1.0) return std::nullopt;
-  const double shift = ray.coordinate_error + 16.0 * kRoundoff * (1.0 + glm::length(ray.origin));
-  return Root{t, shift / std::abs(ray.direction.z) + 4.0 * kRoundoff * std::abs(t), {}};
+  return Root{t, plane_root_error(ray, std::abs(ray.direction.z), t, 1.0), {}};
 }
 
 dvec3 outward_normal(const Square&, const dvec3&, int) {

@@ -8,15 +8,21 @@
 namespace abbe {
 namespace {
 
-/// See sphere.cpp: a plane missed by `shift` moves the root by shift / |n.d|.
-double root_error(const LocalRay& ray, const HalfSpace& plane, double denom, double t) {
-  const double reach = std::abs(plane.offset) + glm::length(ray.origin);
-  const double shift = ray.coordinate_error + 16.0 * kRoundoff * reach;
-  return shift / std::abs(denom) + 4.0 * kRoundoff * std::abs(t);
+Root root_with(const HalfSpace& plane, int face, const LocalRay& ray, double denom, double t) {
+  return {t, plane_root_error(ray, std::abs(denom), t, std::abs(plane.offset)), {0, face}};
+}
+
+/// How far apart points count as distinct: lengths that rounding of the planes cannot blur.
+double slack(const std::vector<HalfSpace>& planes) {
+  double size = 0.0;
+  for (const HalfSpace& h : planes)
+    size = std::max(size, std::abs(h.offset));
+  return 1e-9 * size;
 }
 
 /// Every point where three planes meet that no half-space excludes.
 std::vector<dvec3> corners(const std::vector<HalfSpace>& planes) {
+  const double margin = slack(planes);
   std::vector<dvec3> found;
   for (std::size_t i = 0; i < planes.size(); ++i)
     for (std::size_t j = i + 1; j < planes.size(); ++j) {
@@ -28,14 +34,23 @@ std::vector<dvec3> corners(const std::vector<HalfSpace>& planes) {
                          planes[i].offset * glm::cross(planes[j].normal, planes[k].normal) +
                          planes[j].offset * glm::cross(planes[k].normal, planes[i].normal)) /
                         volume;
-        const double slack = 1e-9 * (1.0 + glm::length(p));
         if (std::all_of(planes.begin(), planes.end(), [&](const HalfSpace& h) {
-              return glm::dot(h.normal, p) <= h.offset + slack;
+              return glm::dot(h.normal, p) <= h.offset + margin;
             }))
           found.push_back(p);
       }
     }
   return found;
+}
+
+/// True when the mean of the corners lies under every plane, not in one.
+bool has_volume(const std::vector<HalfSpace>& planes, const std::vector<dvec3>& corners) {
+  dvec3 mean(0.0);
+  for (const dvec3& corner : corners)
+    mean += corner / static_cast<double>(corners.size());
+  return !corners.empty() && std::all_of(planes.begin(), planes.end(), [&](const HalfSpace& h) {
+    return glm::dot(h.normal, mean) < h.offset - slack(planes);
+  });
 }
 
 /// True when the half-spaces leave some direction open: a direction d with n.d <= 0 for all n.
@@ -63,12 +78,10 @@ bool narrow(Interval& candidate, const HalfSpace& half_space, int face, const Lo
   const double numer = half_space.offset - glm::dot(half_space.normal, ray.origin);
   if (denom == 0.0) return numer >= 0.0;
   const double t = numer / denom;
-  const Root root{t, root_error(ray, half_space, denom, t), {0, face}};
-  if (denom < 0.0) {
-    if (t > candidate.enter.t) candidate.enter = root;
-  } else {
-    if (t < candidate.exit.t) candidate.exit = root;
-  }
+  if (denom < 0.0 && t > candidate.enter.t)
+    candidate.enter = root_with(half_space, face, ray, denom, t);
+  if (denom > 0.0 && t < candidate.exit.t)
+    candidate.exit = root_with(half_space, face, ray, denom, t);
   return candidate.enter.t <= candidate.exit.t;
 }
 
@@ -81,9 +94,10 @@ ConvexPolyhedron::ConvexPolyhedron(std::vector<HalfSpace> half_spaces)
     h.offset /= length;
   }
   vertices_ = corners(half_spaces_);
-  if (vertices_.size() < 4) throw std::invalid_argument("the planes enclose no volume");
   if (open_somewhere(half_spaces_))
     throw std::invalid_argument("the planes leave the solid open to infinity");
+  if (!has_volume(half_spaces_, vertices_))
+    throw std::invalid_argument("the planes enclose no volume");
 }
 
 ConvexPolyhedron thesis_prism() {
@@ -104,8 +118,7 @@ std::optional<Interval> intersect(const ConvexPolyhedron& solid, const LocalRay&
       const double denom = glm::dot(planes[i].normal, ray.direction);
       if (denom <= 0.0) continue;
       const double t = (planes[i].offset - glm::dot(planes[i].normal, ray.origin)) / denom;
-      if (t < inside.exit.t)
-        inside.exit = {t, root_error(ray, planes[i], denom, t), {0, static_cast<int>(i)}};
+      if (t < inside.exit.t) inside.exit = root_with(planes[i], static_cast<int>(i), ray, denom, t);
     }
     inside.enter = {0.0, 0.0, {0, contact->face}};
     inside.exit.t = std::max(0.0, inside.exit.t);

@@ -15,7 +15,7 @@ struct HalfSpace {
   double offset = 0.0;
 };
 
-/// Cuts the candidate interval with one half-space [Ward05, 4.8.2]: with numer = offset - n.o and
+/// Cuts the candidate interval with one half-space [War05, 4.8.2]: with numer = offset - n.o and
 /// denom = n.d the line crosses the plane at numer / denom; it enters where denom < 0 and leaves
 /// where denom > 0. A parallel line (denom = 0) is wholly outside where numer < 0 (the thesis
 /// prints the two parallel cases the other way round). Returns false when nothing remains.
@@ -36,7 +36,7 @@ private:
   std::vector<dvec3> vertices_;
 };
 
-/// The thesis's prism [Ward05, Table 1]: an equilateral triangle in xz with inradius 1 and its
+/// The thesis's prism [War05, Table 1]: an equilateral triangle in xz with inradius 1 and its
 /// apex at z = -2, from y = -1 to y = 1. Faces: top, bottom, front, left, right.
 [[nodiscard]] ConvexPolyhedron thesis_prism();
 

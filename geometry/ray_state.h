@@ -6,14 +6,17 @@
 
 namespace abbe {
 
-/// A surface on which a ray's origin lies, and the side of the shape to which the ray goes.
+/// A surface on which a ray's origin lies, and the side of the shape to which the ray goes. The
+/// outside of a flat shape is where its normal points.
 struct SurfaceContact {
   ShapeId shape;
   FaceId face;
   Side side = Side::outside;
 };
 
-/// All surfaces that meet at a ray's origin: one as a rule, more where solids touch.
+/// All surfaces that meet at a ray's origin: one as a rule, more where solids touch. The first is
+/// the one that shows; its side is believed. The others' sides hold where the ray's direction does
+/// not contradict them: in a corner of two walls it crosses the second one at once.
 using Contacts = FixedVector<SurfaceContact, 4>;
 
 /// The solids that contain a ray's origin, in the order in which they were entered.
@@ -36,9 +39,11 @@ struct Hit {
   bool entering = true; ///< the ray runs against `normal`
   MaterialId material;  ///< the finish of that part
   MediumId medium_before, medium_after;
-  Contacts same_side;    ///< for rays that leave on the side they came from
-  Contacts other_side;   ///< for rays that go through
-  Nesting nesting_after; ///< for rays that go through
+  // A ray that leaves on the side it came from takes same_side and nesting_before (not the nesting
+  // it came with: it may have passed boundaries that do not show); one that goes through takes
+  // other_side and nesting_after.
+  Contacts same_side, other_side;
+  Nesting nesting_before, nesting_after;
 };
 
 } // namespace abbe

@@ -36,16 +36,19 @@ std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& 
   intersect(tree, ray, state.touching ? &contact : nullptr, intervals);
 
   if (state.inside) {
+    const Root* just_left = nullptr; // an exit that rounding has put behind the origin
     for (const Interval& i : intervals) {
-      if (i.exit.t < 0.0 || (state.touching && i.exit.t == 0.0 && i.exit.face == state.face))
+      if (i.exit.t < 0.0) {
+        if (-i.exit.t <= i.exit.t_error) just_left = &i.exit;
         continue;
-      if (i.enter.t > 0.0 && i.enter.t > i.enter.t_error) break; // a later part of the solid
+      }
+      if (i.enter.t > i.enter.t_error) break; // a later part of the solid
       return ShapeCrossing{i.exit.t, i.exit.t_error, i.exit.face, false};
     }
-    return ShapeCrossing{0.0, 0.0, nearest_face(tree, ray.origin), false};
+    return ShapeCrossing{0.0, 0.0, just_left ? just_left->face : nearest_face(tree, ray.origin),
+                         false};
   }
   for (const Interval& i : intervals) {
-    if (state.touching && i.enter.t == 0.0 && i.enter.face == state.face) continue;
     if (i.enter.t >= 0.0) return ShapeCrossing{i.enter.t, i.enter.t_error, i.enter.face, true};
     if (-i.enter.t <= i.enter.t_error && i.exit.t > -i.enter.t)
       return ShapeCrossing{0.0, i.enter.t_error, i.enter.face, true};
@@ -57,9 +60,8 @@ std::optional<ShapeCrossing> next_crossing(const Square& square, const LocalRay&
                                            const ShapeState& state) {
   if (state.touching) return std::nullopt;
   const auto root = intersect(square, ray);
-  if (!root) return std::nullopt;
-  if (root->t >= 0.0) return ShapeCrossing{root->t, root->t_error, {}, true};
-  return std::nullopt;
+  if (!root || root->t < 0.0) return std::nullopt;
+  return ShapeCrossing{root->t, root->t_error, root->face, ray.direction.z < 0.0};
 }
 
 } // namespace abbe

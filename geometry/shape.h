@@ -4,6 +4,7 @@
 #include "geometry/flat.h"
 
 #include <optional>
+#include <type_traits>
 #include <variant>
 
 namespace abbe {
@@ -26,12 +27,24 @@ struct PlacedShape {
 [[nodiscard]] bool contains(const PlacedShape& placed, const dvec3& world_point);
 [[nodiscard]] Bounds bounds(const PlacedShape& placed);
 
+/// Shapes that are no tree have one leaf, number 0.
+template <class S>
+requires(!std::is_same_v<S, CsgTree>) [[nodiscard]] dvec3
+    outward_normal(const S& shape, const dvec3& point, FaceId face) {
+  return outward_normal(shape, point, face.face);
+}
+template <class S>
+requires(!std::is_same_v<S, CsgTree>) [[nodiscard]] dvec3
+    snapped(const S& shape, const dvec3& point, FaceId face) {
+  return snapped(shape, point, face.face);
+}
+
 /// Where a ray next crosses a shape's boundary.
 struct ShapeCrossing {
   double t = 0.0;
   double t_error = 0.0;
   FaceId face;
-  bool entering = false; ///< from outside to inside; true also for shapes without an inside
+  bool entering = false; ///< from outside to inside; of a flat shape: against its normal
 };
 
 /// What a ray already knows about a shape: whether it is inside, and whether its origin lies on
@@ -44,7 +57,7 @@ struct ShapeState {
 
 // The next crossing of one shape, t >= 0. A ray known to be inside always finds a way out: where
 // rounding leaves none, it is at t = 0 through the nearest face. A ray known to be outside only
-// enters. The root of the touched face is never returned.
+// enters. The root of the touched face is never computed.
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& ray,
                                                          const ShapeState& state);
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const Square& square, const LocalRay& ray,
@@ -56,7 +69,9 @@ template <ConvexSolid S>
   const FaceContact contact{state.face.face, Side::inside};
   const auto interval = intersect(solid, ray, state.touching ? &contact : nullptr);
   if (state.inside) {
-    if (!interval) return ShapeCrossing{0.0, 0.0, {0, nearest_face(solid, ray.origin)}, false};
+    // The exit is endless only for a ray that runs out through the face it should run in from.
+    if (!interval || interval->exit.t == kInfinity)
+      return ShapeCrossing{0.0, 0.0, {0, nearest_face(solid, ray.origin)}, false};
     const Root& exit = interval->exit;
     return ShapeCrossing{exit.t > 0.0 ? exit.t : 0.0, exit.t_error, exit.face, false};
   }

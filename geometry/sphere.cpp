@@ -6,13 +6,14 @@
 namespace abbe {
 namespace {
 
-/// A root's rounding error: the surface is missed by `coordinate_error` and a few roundings of
-/// coordinates, and a shift of the surface by e moves the root by e / (speed * cosine).
-double root_error(const LocalRay& ray, double speed, double cosine, double t) {
-  const double reach = 1.0 + glm::length(ray.origin);
-  const double shift = ray.coordinate_error + 16.0 * kRoundoff * reach;
-  // At grazing incidence the two roots merge; their error is then that of a square root.
-  return shift / (speed * std::max(cosine, std::sqrt(shift))) + 4.0 * kRoundoff * std::abs(t);
+/// The rounding error of two roots that lie `cosine` before and behind the line's middle. A
+/// surface shifted by e changes cosine^2 = 1 - height^2 by 2 e, and the roots by
+/// |sqrt(D) - sqrt(D +- 2 e)| <= 2 e / max(sqrt(D), sqrt(2 e)): where the line only grazes, the
+/// error is that of a square root.
+double root_error(const LocalRay& ray, double speed, double cosine, double farther_t) {
+  const double change = 2.0 * ray.shift_at(farther_t, 1.0);
+  return change / (speed * std::max(cosine, std::sqrt(change))) +
+         4.0 * kRoundoff * std::abs(farther_t);
 }
 
 } // namespace
@@ -40,8 +41,8 @@ std::optional<Interval> intersect(const Sphere&, const LocalRay& ray, const Face
   double t0 = q / a;
   double t1 = q != 0.0 ? c / q : t0;
   if (t0 > t1) std::swap(t0, t1);
-  return Interval{{t0, root_error(ray, speed, cosine, t0), {}},
-                  {t1, root_error(ray, speed, cosine, t1), {}}};
+  const double error = root_error(ray, speed, cosine, std::max(std::abs(t0), std::abs(t1)));
+  return Interval{{t0, error, {}}, {t1, error, {}}};
 }
 
 dvec3 outward_normal(const Sphere&, const dvec3& point, int) {

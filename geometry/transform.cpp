@@ -9,6 +9,17 @@
 #include <stdexcept>
 
 namespace abbe {
+namespace {
+
+/// The largest sum of a row's magnitudes.
+double row_norm(const glm::dmat3& m) {
+  double norm = 0.0;
+  for (int row = 0; row < 3; ++row)
+    norm = std::max(norm, std::abs(m[0][row]) + std::abs(m[1][row]) + std::abs(m[2][row]));
+  return norm;
+}
+
+} // namespace
 
 double Bounds::largest_coordinate() const {
   if (empty()) return 0.0;
@@ -33,13 +44,11 @@ Transform::Transform(const glm::dmat3& linear, const dvec3& offset)
   const double determinant = glm::determinant(linear);
   if (!(std::abs(determinant) > 0.0) || !std::isfinite(determinant))
     throw std::invalid_argument("a transform that flattens space has no inverse");
-  inverse_ = glm::inverse(linear);
-  inverse_norm_ = 0.0;
-  for (int row = 0; row < 3; ++row)
-    inverse_norm_ =
-        std::max(inverse_norm_, std::abs(inverse_[0][row]) + std::abs(inverse_[1][row]) +
-                                    std::abs(inverse_[2][row]));
-  offset_size_ = std::max({std::abs(offset.x), std::abs(offset.y), std::abs(offset.z)});
+  // Cofactors cancel where an axis is stretched much more than another. Extended precision leaves
+  // one rounding per entry, up to stretches of about 2^11 to one.
+  inverse_ = glm::dmat3(glm::inverse(glm::mat<3, 3, long double>(linear)));
+  inverse_norm_ = row_norm(inverse_);
+  image_size_ = largest(offset) + row_norm(linear);
 }
 
 Transform Transform::translation(const dvec3& offset) {

@@ -15,7 +15,9 @@ struct Bounds {
   dvec3 lower{1e300};
   dvec3 upper{-1e300};
 
-  [[nodiscard]] bool empty() const { return lower.x > upper.x; }
+  [[nodiscard]] bool empty() const {
+    return lower.x > upper.x || lower.y > upper.y || lower.z > upper.z;
+  }
   [[nodiscard]] double largest_coordinate() const;
   [[nodiscard]] Bounds joined(const Bounds& other) const;
   [[nodiscard]] Bounds overlap(const Bounds& other) const;
@@ -44,14 +46,16 @@ public:
   [[nodiscard]] dvec3 inverse_vector(const dvec3& v) const { return inverse_ * v; }
   /// Maps a surface normal (by the inverse transpose); the result has unit length.
   [[nodiscard]] dvec3 normal(const dvec3& n) const;
-  /// The ray seen from this transform's own frame; t keeps its meaning.
-  [[nodiscard]] Ray inverse_ray(const Ray& ray) const {
-    return {inverse_point(ray.origin), inverse_vector(ray.direction)};
-  }
-  /// Bound on the rounding error of inverse_point(p), given that of p.
+  /// Bound on the rounding error of inverse_point(p), given that of p. Row by row, x - offset and
+  /// the products with the inverse (itself rounded once) round five times numbers that add up to
+  /// at most inverse_norm_ (|p| + |offset|). As much again, with the image of the unit cube in
+  /// place of p, is what point() loses on the way out.
   [[nodiscard]] double inverse_error(const dvec3& p, double p_error) const {
-    const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    return inverse_norm_ * (p_error + 8.0 * kRoundoff * (largest + offset_size_));
+    return inverse_norm_ * (p_error + 8.0 * kRoundoff * (largest(p) + image_size_));
+  }
+  /// The same for inverse_vector(v).
+  [[nodiscard]] double inverse_vector_error(const dvec3& v, double v_error) const {
+    return inverse_norm_ * (v_error + 8.0 * kRoundoff * largest(v));
   }
   /// Box around the mapped box.
   [[nodiscard]] Bounds box(const Bounds& bounds) const;
@@ -59,11 +63,15 @@ public:
   [[nodiscard]] Bounds unit_sphere_box() const;
 
 private:
+  [[nodiscard]] static double largest(const dvec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  }
+
   glm::dmat3 linear_{1.0};
   dvec3 offset_{0.0};
   glm::dmat3 inverse_{1.0};
   double inverse_norm_ = 1.0; ///< largest sum of a row's magnitudes
-  double offset_size_ = 0.0;  ///< largest magnitude of an offset
+  double image_size_ = 1.0;   ///< largest coordinate that an image of the unit cube can have
 };
 
 } // namespace abbe

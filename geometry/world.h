@@ -35,7 +35,8 @@ public:
   void closest(std::span<const RayState> states, std::span<std::optional<Hit>> hits,
                Tracing tracing) const;
 
-  /// True when any boundary lies strictly between the origin and `distance` along the ray.
+  /// True when a visible boundary (see `closest`) lies between the origin and `distance` along the
+  /// ray. One that rounding cannot tell from the end does not count: a lamp may lie on a surface.
   [[nodiscard]] bool occluded(const RayState& state, double distance) const;
 
   /// The solids around a point; slow (asks each), for cameras and lamps.

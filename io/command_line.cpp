@@ -1,6 +1,7 @@
 #include "io/command_line.h"
 
 #include "geometry/world.h"
+#include "io/read_arguments.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -38,6 +39,27 @@ std::vector<int> whole_numbers(const std::string& text, char separator, std::siz
   if (at != end || numbers.size() != count)
     throw CLI::ValidationError(fmt::format("\"{}\" is not {}", text, right));
   return numbers;
+}
+
+/// Checks a number and its limits. (CLI::Range lets "nan" pass.)
+CLI::Validator number_from(double lowest, double highest) {
+  return {[=](std::string& text) {
+            const auto value = parse_finite(text);
+            if (value && *value >= lowest && *value <= highest) return std::string();
+            return fmt::format("\"{}\" is not a number from {} to {}", text, lowest, highest);
+          },
+          ""};
+}
+
+/// (CLI11 takes "-1" for a large number.)
+std::uint64_t seed_from(const std::string& text) {
+  std::uint64_t seed = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, seed);
+  if (error != std::errc() || stop != end)
+    throw CLI::ValidationError(
+        fmt::format("\"{}\" is not a seed: a whole number from 0 to 2^64 - 1", text));
+  return seed;
 }
 
 /// An option that takes one of a few words.
@@ -80,11 +102,12 @@ void add_settings(CLI::App& app, SettingsOverride& s) {
       ->type_name("x0,y0,x1,y1");
   add_choice<Integrator>(app, "--integrator", s.integrator, {{"whitted", Integrator::whitted}},
                          "Model of light transport");
-  app.add_option("--depth", s.max_depth, "Surfaces a path may meet (default 16)")
+  app.add_option("--depth", s.max_depth,
+                 "How often a path may be reflected or refracted (default 16)")
       ->check(CLI::Range(0, 1 << 20));
   app.add_option("--cutoff", s.min_throughput,
                  "Branches that carry less than this in every band are dropped (default 0.001)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_from(0.0, 1.0));
   add_choice<ShadowRule>(app, "--shadows", s.shadows,
                          {{"none", ShadowRule::none},
                           {"opaque", ShadowRule::opaque},
@@ -98,11 +121,14 @@ void add_settings(CLI::App& app, SettingsOverride& s) {
       "--exact", [&s] { s.exact = true; }, "Every band its own ray: no tolerance, no roulette");
   app.add_option("--tolerance", s.tolerance_pixels,
                  "Bands share a ray while it strays less than this many pixels (default 0.25)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_from(0.0, 65536.0));
   app.add_option("--fan", s.max_fan, "Most sub-bundles that one path follows (default 32)")
       ->check(CLI::Range(1, 405));
   add_choice<bool>(app, "--jitter", s.jitter, on_off, "Draw wavelengths inside bands (default on)");
-  app.add_option("--seed", s.seed, "Seed of the random numbers (default 0)");
+  app.add_option_function<std::string>(
+         "--seed", [&s](const std::string& text) { s.seed = seed_from(text); },
+         "Seed of the random numbers (default 0)")
+      ->type_name("UINT");
   app.add_option("--threads", s.threads, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 4096));
   add_choice<bool>(app, "--skip", s.skip, on_off,
@@ -121,6 +147,7 @@ void add_outputs(CLI::App& app, Options& options) {
       ->type_name("FILE");
   app.add_option("--exposure", options.display.exposure_ev,
                  "Exposure of TIFF and PNG in stops (default 0)")
+      ->check(number_from(-64.0, 64.0))
       ->type_name("EV");
   app.add_option_function<std::string>(
          "--gamut",

@@ -29,7 +29,7 @@ void require(const Condition& condition) {
   if (!condition) throw std::runtime_error("Little CMS cannot make an ICC profile");
 }
 
-/// Y = ((X + 0.055) / 1.055)^2.4 for X >= 0.04045, else X / 12.92. (source: IEC61966)
+/// Y = ((X + 0.055) / 1.055)^2.4 for X >= 0.04045, else X / 12.92. (source: IEC99)
 Curve srgb_curve() {
   const std::array<double, 5> parameters = {2.4, 1.0 / 1.055, 0.055 / 1.055, 1.0 / 12.92, 0.04045};
   return Curve(cmsBuildParametricToneCurve(nullptr, 4, parameters.data()));
@@ -51,7 +51,7 @@ void fix_header(std::vector<std::byte>& profile) {
 
 std::vector<std::byte> make_profile(const char* description, const Curve& curve) {
   require(curve);
-  // Chromaticities of the primaries and of D65. (source: IEC61966)
+  // Chromaticities of the primaries and of D65. (source: IEC99)
   const cmsCIExyY white = {0.3127, 0.3290, 1.0};
   const cmsCIExyYTRIPLE primaries = {{0.64, 0.33, 1.0}, {0.30, 0.60, 1.0}, {0.15, 0.06, 1.0}};
   const std::array<cmsToneCurve*, 3> curves = {curve.get(), curve.get(), curve.get()};

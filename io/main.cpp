@@ -9,6 +9,10 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
+#include <set>
+
 namespace {
 
 using namespace abbe;
@@ -28,6 +32,19 @@ std::vector<fs::path> outputs_of(const Options& options, const Scene& scene) {
   return {scene.title + ".exr", scene.title + ".tiff"};
 }
 
+/// Throws when a file of this name surely could not be written.
+void check_place(const fs::path& path) {
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (!is_directory(folder))
+    throw std::invalid_argument(
+        fmt::format("{}: there is no folder {}", path.string(), folder.string()));
+  if (is_directory(path))
+    throw std::invalid_argument(fmt::format("{}: this is a folder", path.string()));
+  if (::access(folder.c_str(), W_OK) != 0)
+    throw std::invalid_argument(
+        fmt::format("{}: the folder {} cannot be written to", path.string(), folder.string()));
+}
+
 /// Finds what would make writing fail before the long work, not after it.
 void check_outputs(const std::vector<fs::path>& outputs, const std::optional<fs::path>& spectral) {
   for (const fs::path& path : outputs)
@@ -40,10 +57,13 @@ void check_outputs(const std::vector<fs::path>& outputs, const std::optional<fs:
         "{}: all bands go into an EXR. The name should end in .exr", spectral->string()));
   std::vector<fs::path> all = outputs;
   if (spectral) all.push_back(*spectral);
-  for (const fs::path& path : all)
-    if (const fs::path folder = path.parent_path(); !folder.empty() && !is_directory(folder))
+  std::set<fs::path> places;
+  for (const fs::path& path : all) {
+    check_place(path);
+    if (!places.insert(fs::weakly_canonical(fs::absolute(path))).second)
       throw std::invalid_argument(
-          fmt::format("{}: there is no folder {}", path.string(), folder.string()));
+          fmt::format("{}: two pictures would have this name", path.string()));
+  }
 }
 
 void write_outputs(const Rendering& rendering, const Plan& plan, const Options& options,

@@ -49,6 +49,10 @@ std::optional<double> parse_finite(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
+double largest_component(const glm::dvec3& vector) {
+  return std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)});
+}
+
 bool Arguments::number_follows() const {
   const Token& token = reader_.peek();
   return token.kind == TokenKind::word && parse_finite(token.text).has_value();

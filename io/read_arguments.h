@@ -26,6 +26,10 @@ struct Range {
 /// The number that a text is; empty when it is no finite number or more than a number.
 [[nodiscard]] std::optional<double> parse_finite(std::string_view text);
 
+/// The largest magnitude of a component. A vector divided by it has a length that neither overflows
+/// nor vanishes.
+[[nodiscard]] double largest_component(const glm::dvec3& vector);
+
 /// Reads the arguments that follow a keyword. Everything throws ReadError at the wrong token.
 class Arguments {
 public:

@@ -15,7 +15,7 @@ const Glass& read_glass(Arguments& arguments) {
   for (const Glass& glass : glass_catalogue())
     names.push_back(glass.name);
   throw ReadError(name.where, "unknown glass " + shown(name), "no such name in the glass catalogue",
-                  did_you_mean(name.text, names, "docs/scene_format.md says what it holds"));
+                  did_you_mean(name.text, names, "abbe list glasses shows them all"));
 }
 
 } // namespace abbe

@@ -49,7 +49,7 @@ void skip_surplus(Arguments& arguments, const Warn& warn) {
                       kSampleCount),
           "Remove it, or look for one given twice");
   }
-  if (surplus > 0)
+  if (surplus > 0 && warn)
     warn(fmt::format("{}: {} zeros after the {} values of {} are left out (they lie beyond 780 nm)",
                      to_string(first), surplus, kSampleCount, arguments.name()));
 }

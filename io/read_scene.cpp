@@ -19,6 +19,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include <stdexcept>
 #include <utility>
 
 namespace abbe {
@@ -106,7 +107,12 @@ void read_statement(SceneState& state, TokenReader& reader) {
         "only solids, transforms and materials can",
         fmt::format("Move it before {}", state.boolean->keyword));
   Arguments arguments(reader, token, keyword->usage);
-  keyword->read(state, arguments);
+  try {
+    keyword->read(state, arguments);
+  } catch (const std::invalid_argument& error) { // from below: numbers of an absurd size
+    throw ReadError(token.where, fmt::format("{} cannot be carried out", name_of(*keyword)),
+                    error.what(), "Give numbers of an ordinary size");
+  }
 }
 
 Scene read_scene_text(std::string_view text, const std::filesystem::path& file, const Warn& warn) {

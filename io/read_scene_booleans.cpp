@@ -69,7 +69,6 @@ CsgTree read_operands(SceneState& state, const Arguments& arguments, CsgOperatio
     read_statement(state, arguments.reader());
   }
   state.boolean = outer;
-  state.material = scope.material;
   return {operation, std::move(scope.operands[0]), std::move(scope.operands[1])};
 }
 

@@ -33,14 +33,9 @@ void add_light(SceneState& state, std::string name, const Curve& spectrum,
       {std::move(name), spectrum.scaled(state.light.intensity), falloff, emitter});
 }
 
-/// Three numbers that are a direction, in the world and of unit length.
-dvec3 read_direction(SceneState& state, Arguments& arguments) {
-  const SourcePosition where = arguments.reader().peek().where;
-  const dvec3 direction = arguments.vector();
-  if (!(glm::length(direction) > 0.0))
-    throw ReadError(where, "the direction of a light is 0 0 0", arguments.takes(),
-                    "Give a direction such as 0 -1 0");
-  return glm::normalize(state.transform.vector(direction));
+/// A direction of the file, not 0 0 0, in the world and of unit length.
+dvec3 world_direction(const SceneState& state, const dvec3& direction) {
+  return glm::normalize(state.transform.vector(direction / largest_component(direction)));
 }
 
 bool read_is_local(Arguments& arguments) {
@@ -61,12 +56,11 @@ void read_light(SceneState& state, Arguments& arguments) {
     add_light(state, name.text, spectrum, PointLight{state.transform.point(place)});
     return;
   }
-  if (!(glm::length(place) > 0.0))
+  if (largest_component(place) == 0.0)
     throw ReadError(where, "light from the direction 0 0 0",
                     "its locality is 0, so x y z is the direction it comes from",
                     "Give a direction such as 0 1 0, or the locality 1");
-  add_light(state, name.text, spectrum,
-            DirectionalLight{-glm::normalize(state.transform.vector(place))});
+  add_light(state, name.text, spectrum, DirectionalLight{-world_direction(state, place)});
 }
 
 void read_spotlight(SceneState& state, Arguments& arguments) {
@@ -78,7 +72,12 @@ void read_spotlight(SceneState& state, Arguments& arguments) {
   if (!read_is_local(arguments))
     throw ReadError(locality_at, "a spotlight has the locality 0", "a cone begins at a position",
                     "Give the locality 1");
-  spot.axis = read_direction(state, arguments);
+  const SourcePosition axis_at = arguments.reader().peek().where;
+  const dvec3 axis = arguments.vector();
+  if (largest_component(axis) == 0.0)
+    throw ReadError(axis_at, "the direction of a spotlight is 0 0 0", arguments.takes(),
+                    "Give a direction such as 0 -1 0");
+  spot.axis = world_direction(state, axis);
   const SourcePosition angle_at = arguments.reader().peek().where;
   const double angle_deg =
       arguments.number({"half the angle of the cone, in degrees", 0.0, 90.0, true});

@@ -10,16 +10,18 @@
 
 #include "io/read_scene_state.h"
 
-#include <glm/geometric.hpp>
-
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace abbe {
 namespace {
 
 void apply(SceneState& state, const Transform& next) {
   state.transform = state.transform.after(next);
+  const dvec3 origin = state.transform.point(dvec3(0.0));
+  if (!std::isfinite(origin.x) || !std::isfinite(origin.y) || !std::isfinite(origin.z))
+    throw std::invalid_argument("a transform that moves beyond the range of numbers");
 }
 
 void read_push(SceneState& state, Arguments& arguments) {
@@ -47,10 +49,11 @@ void read_rotate(SceneState& state, Arguments& arguments) {
   const double angle_deg = arguments.number();
   const SourcePosition where = arguments.reader().peek().where;
   const dvec3 axis = arguments.vector();
-  if (!(glm::length(axis) > 0.0))
+  const double size = largest_component(axis);
+  if (size == 0.0)
     throw ReadError(where, "the axis of rotate has no direction", "it is 0 0 0",
                     "Give an axis such as 0 1 0");
-  apply(state, Transform::rotation(angle_deg, axis));
+  apply(state, Transform::rotation(angle_deg, axis / size));
 }
 
 void read_scale(SceneState& state, Arguments& arguments) {

@@ -8,6 +8,14 @@
 #include <cmath>
 
 namespace abbe {
+namespace {
+
+/// A branch is followed for sure when it matters at least as much as this part of one of the
+/// `max_fan` sub-bundles. Chosen by time against error on scenes/lens and scenes/prism_a, see
+/// docs/decisions/bundles.md.
+constexpr double kSurePart = 1.0 / 8.0;
+
+} // namespace
 
 Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, double pixel_angle)
     : scene_(scene), plan_(plan), world_(world), wavelengths_(plan), fan_(plan, world, pixel_angle),
@@ -32,6 +40,7 @@ void Whitted::push(Bundle bundle, const float* throughput, float factor) {
 void Whitted::trace(const RayState& camera_ray, const std::optional<Hit>& hit,
                     const Sampler& sampler, RadianceSums& sums, RayCounts& counts) {
   const dvec2 u = sampler.pair(kWavelength);
+  decisions_ = sampler.decisions();
   wavelengths_.begin_path(plan_.settings.jitter ? u.x : 0.5);
   Bundle first;
   first.first = plan_.first_band;
@@ -96,18 +105,29 @@ void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, Radi
   }
 }
 
-bool Whitted::worthwhile(const float* throughput, const float* factors, int first, int last) const {
-  const auto least = static_cast<float>(plan_.settings.min_throughput);
+float Whitted::largest(const float* throughput, const float* factors, int first, int last) const {
+  float most = 0.0f;
   for (int b = first; b < last; ++b)
-    if (throughput[b] * factors[b] > least) return true;
-  return false;
+    most = std::max(most, throughput[b] * factors[b]);
+  return most;
+}
+
+/// The chance that a branch is followed: narrow and faint ones would cost as much as they add
+/// little. A branch matters in proportion to its throughput and to its share of the bands.
+double Whitted::chance(float throughput, int bands) const {
+  if (plan_.follows_all()) return 1.0;
+  // A bundle that carries dead bands too, where nothing is skipped, has no larger share for them.
+  const int live = std::max(plan_.live_last - plan_.live_first, 1);
+  const double share = std::min(1.0, static_cast<double>(bands) / live);
+  const double sub_bundles = static_cast<double>(throughput) * share * plan_.settings.max_fan;
+  return std::min(1.0, sub_bundles / kSurePart);
 }
 
 void Whitted::scatter(const Bundle& bundle, double choice, RayCounts& counts) {
   const Hit& hit = *bundle.hit;
   const MaterialPlan& material = plan_.materials[hit.material.index()];
   if (!material.reflects && !material.transmits) return;
-  if (!material.transmits) {
+  if (!material.dielectric) {
     reflect(bundle, material.reflectivity.data(), counts);
     return;
   }
@@ -115,11 +135,14 @@ void Whitted::scatter(const Bundle& bundle, double choice, RayCounts& counts) {
   scatter_dielectric(material, cos_i, wavelengths_.indices(hit.medium_before),
                      wavelengths_.indices(hit.medium_after), bundle.first, bundle.last, scatter_);
   if (material.reflects) reflect(bundle, scatter_.reflected.data(), counts);
-  refract(bundle, choice, counts);
+  if (material.transmits) refract(bundle, choice, counts);
 }
 
 void Whitted::reflect(const Bundle& bundle, const float* factors, RayCounts& counts) {
-  if (!worthwhile(throughput_.data(), factors, bundle.first, bundle.last)) return;
+  const float most = largest(throughput_.data(), factors, bundle.first, bundle.last);
+  if (!(most > static_cast<float>(plan_.settings.min_throughput))) return;
+  const double survives = chance(most, bundle.bands());
+  if (survives < 1.0 && decisions_.next() >= survives) return;
   const Hit& hit = *bundle.hit;
   Bundle next = bundle;
   next.state.ray.origin = hit.point;
@@ -133,7 +156,7 @@ void Whitted::reflect(const Bundle& bundle, const float* factors, RayCounts& cou
   ++counts.reflected;
   for (int b = bundle.first; b < bundle.last; ++b)
     lit_[static_cast<std::size_t>(b)] = throughput_[static_cast<std::size_t>(b)] * factors[b];
-  push(std::move(next), lit_.data(), 1.0f);
+  push(std::move(next), lit_.data(), static_cast<float>(1.0 / survives));
 }
 
 void Whitted::refract(const Bundle& bundle, double choice, RayCounts& counts) {
@@ -151,9 +174,10 @@ void Whitted::refract(const Bundle& bundle, double choice, RayCounts& counts) {
     int last = first + 1;
     while (last < bundle.last && passes(last))
       ++last;
-    if (worthwhile(lit_.data(), ones_.data(), first, last))
+    const float most = largest(lit_.data(), ones_.data(), first, last);
+    if (most > static_cast<float>(plan_.settings.min_throughput))
       for (const FanCell& cell :
-           fan_.refract(bundle, first, last, wavelengths_, choice, counts.refracted))
+           fan_.refract(bundle, first, last, most, wavelengths_, choice, counts.refracted))
         push(cell.bundle, lit_.data(), cell.weight);
     first = last;
   }

@@ -10,7 +10,7 @@
 
 namespace abbe {
 
-/// The thesis's model of light [Ward05, 4.6; Whitted80], per band: ambient, emitted, Lambert and
+/// The thesis's model of light [War05, 4.6; Whitted80], per band: ambient, emitted, Lambert and
 /// Phong (with Blinn's half vector) light of the lamps, and the trees of reflected and refracted
 /// rays. One object serves one thread; it keeps the memory of its paths.
 class Whitted {
@@ -32,8 +32,9 @@ private:
   void scatter(const Bundle& bundle, double choice, RayCounts& counts);
   void reflect(const Bundle& bundle, const float* factors, RayCounts& counts);
   void refract(const Bundle& bundle, double choice, RayCounts& counts);
-  [[nodiscard]] bool worthwhile(const float* throughput, const float* factors, int first,
-                                int last) const;
+  [[nodiscard]] float largest(const float* throughput, const float* factors, int first,
+                              int last) const;
+  [[nodiscard]] double chance(float throughput, int bands) const;
 
   const Scene& scene_;
   const Plan& plan_;
@@ -43,6 +44,7 @@ private:
   ShadowRays shadow_rays_;
   DielectricScatter scatter_;
   BandTable ones_;
+  DecisionStream decisions_;
 
   std::vector<Bundle> waiting_;
   std::vector<float> throughputs_; ///< rows of Plan::stride values, one per waiting bundle

@@ -27,7 +27,7 @@ Nesting nesting(std::initializer_list<int> ids) {
 } // namespace
 
 TEST_CASE("candidates: what rounding cannot tell apart is one boundary, in any order") {
-  std::vector<Candidate> all{at(3, 1.0, 1e-9),        at(1, 1.0 + 5e-10, 1e-9),
+  std::vector<Candidate> all{at(3, 1.0, 1e-9),         at(1, 1.0 + 5e-10, 1e-9),
                              at(2, 1.0 - 5e-10, 1e-9), at(0, 1.0 + 1e-6, 1e-9),
                              at(4, 2.0, 0.1),          at(5, 7.0, 1e-9)};
   Random random(12);

@@ -30,9 +30,8 @@ CsgTree brick(const dvec3& lower, const dvec3& upper) {
 }
 
 bool within(const std::vector<Interval>& intervals, double t) {
-  return std::any_of(intervals.begin(), intervals.end(), [&](const Interval& i) {
-    return i.enter.t < t && t < i.exit.t;
-  });
+  return std::any_of(intervals.begin(), intervals.end(),
+                     [&](const Interval& i) { return i.enter.t < t && t < i.exit.t; });
 }
 
 } // namespace
@@ -71,8 +70,7 @@ TEST_CASE("csg: a hollow ball has two parts, and its inner normal points inwards
 
 TEST_CASE("csg: moved takes every leaf along") {
   const CsgTree tree(subtract, ball({0, 0, 0}), ball({0, 0, 1}));
-  const auto parts =
-      line(tree.moved(Transform::translation({0, 0, 10})), {0, 0, 0}, {0, 0, 1});
+  const auto parts = line(tree.moved(Transform::translation({0, 0, 10})), {0, 0, 0}, {0, 0, 1});
   REQUIRE(parts.size() == 1);
   REQUIRE(parts[0].enter.t == 9.0);
   REQUIRE(parts[0].exit.t == 10.0);

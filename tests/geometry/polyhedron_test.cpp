@@ -56,9 +56,8 @@ TEST_CASE("the thesis's prism has the vertices of its table 1") {
   REQUIRE(vertices.size() == 6);
   for (const double y : {-1.0, 1.0})
     for (const dvec3 expected : {dvec3(0, y, -2), dvec3(s, y, 1), dvec3(-s, y, 1)})
-      CHECK(std::count_if(vertices.begin(), vertices.end(), [&](const dvec3& v) {
-              return glm::length(v - expected) < 1e-14;
-            }) == 1);
+      CHECK(std::count_if(vertices.begin(), vertices.end(),
+                          [&](const dvec3& v) { return glm::length(v - expected) < 1e-14; }) == 1);
 }
 
 TEST_CASE("prism: closed forms") {
@@ -111,6 +110,29 @@ TEST_CASE("polyhedron: t_error bounds the error of both roots") {
     if (truth.size() != 2 || !ours) continue;
     worst = std::max(worst, std::abs(double(ours->enter.t - truth[0].t)) / ours->enter.t_error);
     worst = std::max(worst, std::abs(double(ours->exit.t - truth[1].t)) / ours->exit.t_error);
+  }
+  CHECK(worst < 1.0);
+}
+
+TEST_CASE("polyhedron: t_error holds along a tilted needle, whose near planes are met far away") {
+  Random random(14);
+  double worst = 0.0;
+  for (int k = 0; k < 300; ++k) {
+    const glm::dmat3 turn = random.rotation();
+    std::vector<HalfSpace> planes;
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double sign : {-1.0, 1.0})
+        planes.push_back({sign * turn[axis], axis == 2 ? 1e4 : 1.0});
+    const reference::Twin twin = reference::polyhedron(planes);
+    for (int i = 0; i < 100; ++i) {
+      const dvec3 to(random.chance(0.5) ? 1 : -1, 0, random.uniform(-1e4, 1e4));
+      const dvec3 o = random.in_cube(0.5), d = glm::normalize(turn * to - o);
+      const auto ours = intersect(std::get<ConvexPolyhedron>(twin.placed.shape), LocalRay{o, d});
+      const auto truth = twin.solid.crossings(reference::Vec(o), reference::Vec(d));
+      REQUIRE(ours);
+      REQUIRE(truth.size() == 2);
+      worst = std::max(worst, std::abs(double(ours->exit.t - truth[1].t)) / ours->exit.t_error);
+    }
   }
   CHECK(worst < 1.0);
 }

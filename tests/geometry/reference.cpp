@@ -95,6 +95,7 @@ bool Solid::contains(const Vec& world) const {
 
 Real Solid::clearance(const Vec& world) const {
   Real smallest = INFINITY;
+  if (flat) return smallest;
   for (const Leaf& leaf : leaves)
     smallest = std::min(smallest, leaf.clearance(world));
   return smallest;
@@ -124,12 +125,12 @@ std::vector<Crossing> Solid::crossings(const Vec& origin, const Vec& direction, 
   bool inside = false;
   for (std::size_t i = 0; i < roots.size(); ++i) {
     if (i + 1 < roots.size() && roots[i + 1].t - roots[i].t <= tie) continue;
-    const bool now = i + 1 < roots.size() &&
-                     contains(origin + (roots[i].t + roots[i + 1].t) / 2 * direction);
+    const bool now =
+        i + 1 < roots.size() && contains(origin + (roots[i].t + roots[i + 1].t) / 2 * direction);
     if (now == inside) continue;
     inside = now;
-    Vec n = leaves[std::size_t(roots[i].leaf)].normal(roots[i].face,
-                                                      origin + roots[i].t * direction);
+    Vec n =
+        leaves[std::size_t(roots[i].leaf)].normal(roots[i].face, origin + roots[i].t * direction);
     if ((glm::dot(n, direction) < 0) != now) n = -n; // a subtracted leaf
     found.push_back({roots[i].t, now, roots[i].leaf, roots[i].face, n});
   }

@@ -102,10 +102,10 @@ enum class Verdict { agrees, undecided, differs };
   // by as much over its radius of curvature (1/27 at least for these maps).
   const Real cosine = std::abs(glm::dot(c.normal, Vec(ray.direction)));
   const Real shift = static_cast<Real>(rounding) / cosine;
-  const bool close = std::abs(hit->t - c.t) <= shift &&
-                     glm::length(Vec(hit->point) - Vec(ray.origin) - c.t * Vec(ray.direction)) <=
-                         2 * shift &&
-                     glm::length(Vec(hit->normal) - c.normal) <= 30 * shift + 1e-14L;
+  const bool close =
+      std::abs(hit->t - c.t) <= shift &&
+      glm::length(Vec(hit->point) - Vec(ray.origin) - c.t * Vec(ray.direction)) <= 2 * shift &&
+      glm::length(Vec(hit->normal) - c.normal) <= 30 * shift + 1e-14L;
   return close ? Verdict::agrees : fails();
 }
 
@@ -114,9 +114,7 @@ struct Tally {
 
   void add(Verdict verdict, bool hit) {
     hits += hit;
-    (verdict == Verdict::agrees      ? agree
-     : verdict == Verdict::undecided ? undecided
-                                     : differ)++;
+    (verdict == Verdict::agrees ? agree : verdict == Verdict::undecided ? undecided : differ)++;
   }
 };
 

@@ -86,6 +86,86 @@ TEST_CASE("next_crossing: a hollow ball from its hollow") {
   REQUIRE(across->face == FaceId{1, 0});
 }
 
+TEST_CASE("next_crossing: a tree left by a rounding is left at once, through the right face") {
+  // Just past the inner wall of a hollow ball; a brick hidden in the hollow lies nearer still.
+  const double z = -0.5 + 0x1p-50;
+  const CsgTree shell(CsgOperation::subtract, CsgTree(Sphere{}, Transform()),
+                      CsgTree(Sphere{}, Transform::scaling(dvec3(0.5))));
+  const CsgTree brick(
+      Box{}, Transform::translation({0, 0, z + 0.25}).after(Transform::scaling({0.1, 0.1, 0.25})));
+  for (const CsgTree& tree : {shell, CsgTree(CsgOperation::subtract, shell, brick)}) {
+    const auto out = next_crossing(tree, along_z(z), known(true));
+    REQUIRE(out);
+    CHECK(out->t == 0.0);
+    CHECK_FALSE(out->entering);
+    CHECK(out->face == FaceId{1, 0});
+  }
+}
+
+TEST_CASE("next_crossing: t_error holds for solids stretched a thousandfold, and far away") {
+  using namespace reference;
+  Random random(60);
+  double worst = 0.0;
+  int compared = 0;
+  for (int k = 0; k < 3000; ++k) {
+    glm::dmat3 stretch(1.0);
+    stretch[random.below(3)] *= 1000.0;
+    const Twin shape = k % 3 == 0 ? sphere() : k % 3 == 1 ? box() : polyhedron(random.planes(9));
+    const Twin twin = placed(shape, random.rotation() * stretch * random.rotation(),
+                             random.in_cube(k % 2 ? 1.0 : 1e5));
+    const Transform& at = twin.placed.to_world;
+    for (int i = 0; i < 30; ++i) {
+      const dvec3 o = at.point(random.in_cube(random.chance(0.5) ? 1.2 : 0.01)) +
+                      random.in_cube(random.chance(0.5) ? 1.0 : 1e4);
+      const dvec3 d = glm::normalize(at.point(random.in_cube(1.2)) - o);
+      const auto truth = twin.solid.crossings(Vec(o), Vec(d));
+      if (truth.size() != 2 || truth[1].t - truth[0].t < 1e-6L || truth[1].t < 1e-6L) continue;
+      const bool inside = truth[0].t < 0;
+      const Real expected = inside ? truth[1].t : truth[0].t;
+      const LocalRay ray = local_ray(at, {o, d});
+      const auto found =
+          std::visit([&](const auto& solid) { return next_crossing(solid, ray, known(inside)); },
+                     twin.placed.shape);
+      REQUIRE(found);
+      const double off = double(std::abs(found->t - expected));
+      worst = std::max(worst, off / found->t_error);
+      ++compared;
+    }
+  }
+  CHECK(compared > 30000);
+  CHECK(worst < 1.0);
+}
+
+TEST_CASE("next_crossing: t_error holds along a plate a million times longer than thick") {
+  using namespace reference;
+  Random random(61);
+  double worst = 0.0;
+  for (int k = 0; k < 300; ++k) {
+    glm::dmat3 thin(1.0);
+    thin[0][0] = 1e-3;
+    const Twin plate = polyhedron({{{1, 0, 0}, 1},
+                                   {{-1, 0, 0}, 1},
+                                   {{0, 1, 0}, 1},
+                                   {{0, -1, 0}, 1},
+                                   {{0, 0, 1}, 1000},
+                                   {{0, 0, -1}, 1000}});
+    const Twin twin = placed(plate, random.rotation() * thin, random.in_cube(0.1));
+    const Transform& at = twin.placed.to_world;
+    for (int i = 0; i < 30; ++i) {
+      const dvec3 o = at.point(random.in_cube(0.5));
+      const dvec3 to(random.chance(0.5) ? 1 : -1, 0, random.uniform(-1000, 1000));
+      const dvec3 d = glm::normalize(at.point(to) - o);
+      const auto truth = twin.solid.crossings(Vec(o), Vec(d));
+      REQUIRE(truth.size() == 2);
+      const auto found = next_crossing(std::get<ConvexPolyhedron>(twin.placed.shape),
+                                       local_ray(at, {o, d}), known(true));
+      REQUIRE(found);
+      worst = std::max(worst, double(std::abs(found->t - truth[1].t)) / found->t_error);
+    }
+  }
+  CHECK(worst < 1.0);
+}
+
 TEST_CASE("contains: solids hold points, flat shapes none") {
   const Transform up = Transform::translation({0, 0, 5});
   REQUIRE(contains({Sphere{}, up, {}, {}, 0}, {0, 0, 4.5}));

@@ -75,6 +75,23 @@ TEST_CASE("inverse_error bounds the rounding of a point's way into the world and
   CHECK(worst < 1.0);
 }
 
+TEST_CASE("inverse_error: where long terms cancel on the way into the world") {
+  // A point on the short axes of a stretched shape: its coordinates are sums of long terms.
+  Random random(5);
+  double worst = 0.0;
+  for (int i = 0; i < 20000; ++i) {
+    glm::dmat3 stretch(1.0);
+    stretch[0][0] = 1000.0;
+    const glm::dmat3 inner = random.rotation();
+    const Transform t(random.rotation() * stretch * inner, dvec3(0.0));
+    const dvec3 local = glm::transpose(inner) * dvec3(0, random.uniform(-1, 1), 0.5);
+    const dvec3 world = t.point(local), off = t.inverse_point(world) - local;
+    const double error = std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)});
+    worst = std::max(worst, error / t.inverse_error(world, 0.0));
+  }
+  CHECK(worst < 1.0);
+}
+
 TEST_CASE("boxes hold what they must and no more") {
   Random random(4);
   for (int i = 0; i < 300; ++i) {

@@ -92,7 +92,7 @@ TEST_CASE("world: far away origins") {
 TEST_CASE("world: of many shapes the nearest is met") {
   Random random(28);
   Tally tally;
-  for (int k = 0; k < 20; ++k) {
+  for (int k = 0; k < 100; ++k) {
     Scene scene;
     for (int i = 0; i < 40; ++i) {
       Twin twin = i % 6 == 0   ? sphere()
@@ -101,19 +101,19 @@ TEST_CASE("world: of many shapes the nearest is met") {
                   : i % 6 == 3 ? square()
                   : i % 6 == 4 ? csg(lens_piece(0.5))
                                : polyhedron(random.planes(8));
-      scene.add(placed(twin, random.linear() * 0.5, random.in_cube(8.0)));
+      scene.add(placed(twin, random.linear(), random.in_cube(8.0)));
     }
     const World world(scene.shapes(), 20.0);
     for (int i = 0; i < 1000; ++i) {
-      const RayState state = free_ray(scene, random.in_cube(10.0), random.direction());
+      const RayState state = free_ray(scene, random.in_cube(9.0), random.direction());
       if (state.nesting.full()) continue;
       const auto hit = world.closest(state);
       tally.add(judge(scene, state.ray, hit, 3e-12), hit.has_value());
     }
   }
   CHECK(tally.differ == 0);
-  CHECK(tally.undecided <= 2);
-  CHECK(tally.hits > 10000);
+  CHECK(tally.undecided <= 5);
+  CHECK(tally.hits > 20000);
 }
 
 TEST_CASE("world: edges and corners of the box are met from outside") {
@@ -174,6 +174,61 @@ TEST_CASE("world: a tangent to a sphere passes or touches, and goes on") {
   CHECK_FALSE(world.closest(state));
 }
 
+TEST_CASE("world: a ray in a concave edge meets one wall, then the other, and comes back") {
+  const Transform upright =
+      Transform::translation({-1, 0, 0})
+          .after(Transform::rotation(90, {0, 1, 0}).after(Transform::scaling({3, 1, 1})));
+  const std::vector<PlacedShape> squares{{Square{}, {}, {1}, {}, 0},
+                                         {Square{}, upright, {2}, {}, 0}};
+  const Transform floor = Transform::translation({0, 0, -1}).after(Transform::scaling({4, 4, 1}));
+  const std::vector<PlacedShape> boxes{{Box{}, floor, {1}, {}, 0},
+                                       {Box{}, Transform::translation({-2, 0, 0}), {2}, {}, 0}};
+  Random random(31);
+  for (const auto& walls : {squares, boxes}) {
+    const World world(walls, 10.0);
+    for (int i = 0; i < 1000; ++i) {
+      // Towards (-1, y, 0), where the wall x = -1 stands on the floor z = 0.
+      const dvec3 o(random.uniform(-0.9, 0.5), 0, random.uniform(0.1, 0.9));
+      RayState state = ray(o, glm::normalize(dvec3(-1, random.uniform(-0.9, 0.9), 0) - o));
+      const dvec3 back(-state.ray.direction.x, state.ray.direction.y, -state.ray.direction.z);
+      int bounces = 0;
+      while (const auto hit = world.closest(state)) {
+        REQUIRE(++bounces <= 2);
+        if (bounces == 2) REQUIRE(hit->t < 1e-14);
+        const dvec3 d = state.ray.direction;
+        state.ray = {hit->point, d - 2.0 * glm::dot(d, hit->normal) * hit->normal};
+        state.contacts = hit->same_side;
+        state.nesting = hit->nesting_before;
+      }
+      REQUIRE(bounces == 2);
+      REQUIRE(glm::length(state.ray.direction - back) < 1e-15);
+    }
+  }
+}
+
+TEST_CASE("world: turning back behind a hidden boundary, a ray is still inside what it passed") {
+  // A low-priority box inside a ball of higher priority does not show; the ball's far wall does.
+  Scene scene;
+  scene.add(placed(sphere(), glm::dmat3(2.0), {0, 0, 0}), 1, 1);
+  scene.add(placed(box(), glm::dmat3(1.0), {0, 0, 1.5}), 2, 0); // from z = 0.5 to 2.5
+  const World world(scene.shapes(), 10.0);
+  const auto hit = world.closest(free_ray(scene, {0, 0, 0}, {0, 0, 1}));
+  REQUIRE(hit);
+  CHECK(hit->t == 2.0);
+  CHECK(hit->shape.value == 0);
+  CHECK(hit->medium_before.value == 1);
+  CHECK(hit->medium_after.value == 2);
+  REQUIRE(hit->nesting_before.size() == 2);
+  REQUIRE(hit->nesting_after.size() == 1);
+  CHECK(hit->nesting_after[0].value == 1);
+  // Through the ball again: the box is left unseen, and the ray comes out into the open.
+  const RayState back{{hit->point, {0, 0, -1}}, hit->same_side, hit->nesting_before};
+  const auto out = world.closest(back);
+  REQUIRE(out);
+  CHECK(out->t == 4.0);
+  CHECK(out->nesting_after.empty());
+}
+
 TEST_CASE("world: a world scaled by a power of two gives the same hits, scaled") {
   Random random(29);
   std::vector<PlacedShape> shapes;
@@ -182,7 +237,7 @@ TEST_CASE("world: a world scaled by a power of two gives the same hits, scaled")
                       : i % 4 == 1 ? box()
                       : i % 4 == 2 ? csg(nested_piece(random))
                                    : polyhedron(random.planes(8));
-    shapes.push_back(placed(twin, random.linear(), random.in_cube(8.0)).placed);
+    shapes.push_back(placed(twin, random.linear() * 1.5, random.in_cube(6.0)).placed);
     shapes.back().medium = {i % 3};
   }
   for (const int power : {-10, 10, -33, 33}) {
@@ -210,7 +265,7 @@ TEST_CASE("world: a world scaled by a power of two gives the same hits, scaled")
         state = {{a->point, state.ray.direction}, a->other_side, a->nesting_after};
       }
     }
-    REQUIRE(hits > 2000);
+    REQUIRE(hits > 1500);
   }
 }
 

@@ -112,7 +112,7 @@ TEST_CASE("errors of a material library") {
         "N-BK7?");
   CHECK(error_of("def a { glass window }") ==
         "m.mtl:1:15: unknown glass \"window\" (no such name in the glass catalogue). "
-        "docs/scene_format.md says what it holds");
+        "abbe list glasses shows them all");
   CHECK(error_of("def a { fresnel maybe }") ==
         "m.mtl:1:17: \"maybe\" is no choice of fresnel (fresnel takes on|off). Give on or off");
   CHECK(error_of("def a { freqBreakdown 80 0 }") ==

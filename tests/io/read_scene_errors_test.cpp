@@ -107,9 +107,10 @@ TEST_CASE("errors of camera and film") {
                                     "box|tent|gaussian). Give box, tent or gaussian");
   CHECK(scene_error("crop -1 0 1 1") == "s.sdl:1:6: -1 is out of range for crop (it is an edge in "
                                         "pixels). Give a number from 0 to 65536");
-  CHECK(scene_error("crop 5 0 5 1") ==
-        "s.sdl:1:1: the crop holds no pixel (its right and lower edges must be beyond the left and "
-        "upper ones). Give x0 y0 x1 y1 with x0 < x1 and y0 < y1");
+  for (const std::string crop : {"crop 5 0 5 1", "crop 0 5 1 5"})
+    CHECK(scene_error(crop) ==
+          "s.sdl:1:1: the crop holds no pixel (its right and lower edges must be beyond the left "
+          "and upper ones). Give x0 y0 x1 y1 with x0 < x1 and y0 < y1");
   CHECK(scene_error("crop 0 0 10 11 imageSize 10 10") ==
         "s.sdl:1:1: the crop reaches beyond the picture (the picture has 10 x 10 pixels). Give a "
         "smaller crop, or a larger imageSize");

@@ -82,6 +82,14 @@ TEST_CASE("lights stand where the current transform puts them") {
   CHECK(glm::length(spot.axis - dvec3(0, 0, -1)) < 1e-14);
 }
 
+TEST_CASE("directions of any length are made unit") {
+  const Scene scene = scene_of("light E 0 1e200 0 0 light E 0 1e-200 0 0\n"
+                               "spotlight E 0 0 0 1 0 0 1e-300 5");
+  for (const std::size_t i : {0U, 1U})
+    CHECK(std::get<DirectionalLight>(scene.lights.at(i).emitter).direction == dvec3(0, -1, 0));
+  CHECK(std::get<SpotLight>(scene.lights.at(2).emitter).axis == dvec3(0, 0, 1));
+}
+
 TEST_CASE("errors of lights") {
   CHECK(scene_error("light D66 0 0 0 1") ==
         "s.sdl:1:7: unknown light \"D66\" (there is no lights.filter beside the scene, and no "
@@ -102,7 +110,8 @@ TEST_CASE("errors of lights") {
         "s.sdl:1:19: a spotlight has the locality 0 (a cone begins at a position). Give the "
         "locality 1");
   CHECK(scene_error("spotlight E 0 0 0 1 0 0 0 5") ==
-        "s.sdl:1:21: the direction of a light is 0 0 0 (spotlight takes NAME x y z LOCALITY dx dy "
+        "s.sdl:1:21: the direction of a spotlight is 0 0 0 (spotlight takes NAME x y z LOCALITY dx "
+        "dy "
         "dz angle). Give a direction such as 0 -1 0");
   for (const std::string angle : {"0", "90", "-3"})
     CHECK(scene_error("spotlight E 0 0 0 1 1 0 0 " + angle) ==

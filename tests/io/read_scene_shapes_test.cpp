@@ -154,6 +154,22 @@ TEST_CASE("errors of transforms") {
         "meant for");
 }
 
+TEST_CASE("an axis of any length turns") {
+  CHECK(near(scene_of("rotate 90 0 0 1e200 sphere").shapes.at(0).to_world.point({1, 0, 0}),
+             {0, 1, 0}));
+  CHECK(near(scene_of("rotate 90 0 0 1e-200 sphere").shapes.at(0).to_world.point({1, 0, 0}),
+             {0, 1, 0}));
+}
+
+TEST_CASE("numbers of an absurd size are errors with a position") {
+  CHECK(scene_error("sphere scale 1e-150 1e-150 1e-150") ==
+        "s.sdl:1:8: scale cannot be carried out (a transform that flattens space has no inverse). "
+        "Give numbers of an ordinary size");
+  CHECK(scene_error("translate 1e308 0 0 translate 1e308 0 0") ==
+        "s.sdl:1:21: translate cannot be carried out (a transform that moves beyond the range of "
+        "numbers). Give numbers of an ordinary size");
+}
+
 TEST_CASE("errors of booleans") {
   CHECK(scene_error("lens sphere") == "s.sdl:1:1: lens lacks an operand (the file ends after 1 of "
                                       "2 solids). Add a solid after it");

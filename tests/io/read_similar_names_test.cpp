@@ -12,6 +12,7 @@ TEST_CASE("one wrong, missing, surplus or swapped letter is near") {
   CHECK(similar_names("spere", known) == Names{"sphere"});
   CHECK(similar_names("sspheree", known) == Names{"sphere"});
   CHECK(similar_names("shpere", known) == Names{"sphere"});
+  CHECK(similar_names("cbue", {"cube"}) == Names{"cube"}); // four letters allow one step only
   CHECK(similar_names("SPHER", known) == Names{"sphere"});
 }
 

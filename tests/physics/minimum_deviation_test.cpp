@@ -24,7 +24,9 @@ double deviation_deg(const World& world, double incidence, double n) {
 }
 
 double minimum_deviation_deg(const World& world, double n) {
-  double low = 40.0 * kDegree, high = 65.0 * kDegree;
+  // Below this incidence the ray meets the second face beyond the critical angle.
+  const double least = std::asin(n * std::sin(60.0 * kDegree - std::asin(1.0 / n)));
+  double low = least + 1e-6, high = 80.0 * kDegree;
   while (high - low > 1e-9) { // ternary search; the deviation has one minimum
     const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
     (deviation_deg(world, a, n) < deviation_deg(world, b, n) ? high : low) =

@@ -38,11 +38,13 @@ TEST_CASE("lossless glass solids are invisible in a white furnace, band by band"
         "glass F2 lens push translate 0 0 0.6 sphere pop push translate 0 0 -0.6 sphere pop"}) {
     INFO(solid);
     CHECK(furnace_error(solid, "exact on") < 1e-5);
-    CHECK(furnace_error(solid, "exact off maxFan 81") < 1e-5);
+    CHECK(furnace_error(solid, "maxFan 81") < 1e-5); // tolerance, but no roulette
   }
 }
 
+// Light can stay for thousands of reflections between a ball and a cube inside it; what the cut-off
+// of 1e-9 per branch takes from a pixel adds up to a few 1e-4.
 TEST_CASE("solids within solids are invisible too") {
   CHECK(furnace_error("glass SF11 sphere priority 1 glass N-BK7 push scale 0.5 0.5 0.5 cube pop",
-                      "exact on maxRecursionDepth 60 minThroughput 1e-7") < 1e-4);
+                      "bands 3 exact on") < 5e-4);
 }

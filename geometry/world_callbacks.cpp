@@ -1,0 +1,131 @@
+#include "geometry/world_callbacks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace abbe {
+namespace {
+
+constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
+
+/// True when a ray does not run to the side of a contact on which it should be.
+template <class S>
+bool contradicts(const S& shape, const LocalRay& ray, const SurfaceContact& contact) {
+  const double outwards = glm::dot(outward_normal(shape, ray.origin, contact.face), ray.direction);
+  return contact.side == Side::outside ? outwards < 0.0 : outwards > 0.0;
+}
+
+/// The ray in the frame of the shape. A tree's leaves are placed in the world already.
+template <class S>
+LocalRay ray_for(const PlacedShape& placed, const Ray& ray) {
+  const LocalRay world{ray.origin, ray.direction};
+  if constexpr (std::is_same_v<S, CsgTree>)
+    return world;
+  else
+    return local_ray(placed.to_world, world);
+}
+
+template <class S>
+std::optional<ShapeCrossing> crossing(const PlacedShape& placed, ShapeId id,
+                                      const RayState& state) {
+  const S& shape = *std::get_if<S>(&placed.shape);
+  const LocalRay ray = ray_for<S>(placed, state.ray);
+  ShapeState known;
+  known.inside = std::find(state.nesting.begin(), state.nesting.end(), id) != state.nesting.end();
+  for (const SurfaceContact& contact : state.contacts) {
+    if (contact.shape != id) continue;
+    const bool outside = contact.side == Side::outside;
+    const bool first = &contact == state.contacts.begin();
+    if (!first && contradicts(shape, ray, contact))
+      return ShapeCrossing{0.0, 0.0, contact.face, outside};
+    known = {!outside, true, contact.face};
+    break;
+  }
+  return next_crossing(shape, ray, known);
+}
+
+bool surely_nearer(const ShapeCrossing& crossing, double distance) {
+  return crossing.t + crossing.t_error < distance;
+}
+
+template <class S>
+void intersect_callback(const RTCIntersectFunctionNArguments* args) noexcept {
+  const auto& group = *static_cast<const ShapeGroup*>(args->geometryUserPtr);
+  const auto& query = *reinterpret_cast<const Query*>(args->context);
+  const ShapeId id = group.ids[args->primID];
+  const PlacedShape& placed = (*group.shapes)[id.index()];
+  RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] != -1) continue;
+    const unsigned ray = RTCRayN_id(rays, args->N, i);
+    const auto found = crossing<S>(placed, id, query.states[ray]);
+    if (!found || !surely_nearer(*found, query.distance)) continue;
+    if (!query.found[ray].offer({id, *found})) continue;
+    float& tfar = RTCRayN_tfar(rays, args->N, i);
+    tfar = std::min(tfar, rounded_up(query.found[ray].reach()));
+  }
+}
+
+template <class S>
+void occluded_callback(const RTCOccludedFunctionNArguments* args) noexcept {
+  const auto& group = *static_cast<const ShapeGroup*>(args->geometryUserPtr);
+  auto& query = *reinterpret_cast<Query*>(args->context);
+  const ShapeId id = group.ids[args->primID];
+  const PlacedShape& placed = (*group.shapes)[id.index()];
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] != -1) continue;
+    const auto found = crossing<S>(placed, id, query.states[RTCRayN_id(args->ray, args->N, i)]);
+    if (!found || !surely_nearer(*found, query.distance)) continue;
+    if (query.glass_may_hide && placed.medium.valid())
+      query.met_glass = true;
+    else
+      RTCRayN_tfar(args->ray, args->N, i) = -kFloatInfinity;
+  }
+}
+
+void bounds_callback(const RTCBoundsFunctionArguments* args) noexcept {
+  const auto& group = *static_cast<const ShapeGroup*>(args->geometryUserPtr);
+  const Bounds box = bounds((*group.shapes)[group.ids[args->primID].index()]).grown(group.padding);
+  const auto down = [](double v) { return std::nextafter(static_cast<float>(v), -kFloatInfinity); };
+  const auto up = [](double v) { return std::nextafter(static_cast<float>(v), kFloatInfinity); };
+  RTCBounds& out = *args->bounds_o;
+  out.lower_x = down(box.lower.x);
+  out.lower_y = down(box.lower.y);
+  out.lower_z = down(box.lower.z);
+  out.upper_x = up(box.upper.x);
+  out.upper_y = up(box.upper.y);
+  out.upper_z = up(box.upper.z);
+}
+
+template <std::size_t Type>
+void attach_type(const ShapeGroups& groups, RTCDevice device, RTCScene scene) {
+  using S = std::variant_alternative_t<Type, Shape>;
+  const ShapeGroup& group = groups[Type];
+  if (group.ids.empty()) return;
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(group.ids.size()));
+  rtcSetGeometryUserData(geometry, const_cast<ShapeGroup*>(&group)); // read only, above
+  rtcSetGeometryBoundsFunction(geometry, bounds_callback, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, intersect_callback<S>);
+  rtcSetGeometryOccludedFunction(geometry, occluded_callback<S>);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+}
+
+} // namespace
+
+float rounded_up(double value) {
+  return std::nextafter(static_cast<float>(value), kFloatInfinity);
+}
+
+void attach(const ShapeGroups& groups, RTCDevice device, RTCScene scene) {
+  [&]<std::size_t... Type>(std::index_sequence<Type...>) {
+    (attach_type<Type>(groups, device, scene), ...);
+  }
+  (std::make_index_sequence<std::variant_size_v<Shape>>());
+}
+
+} // namespace abbe

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "geometry/boundary.h"
+#include "geometry/world_embree.h"
+
+#include <array>
+#include <variant>
+#include <vector>
+
+namespace abbe {
+
+/// One Embree geometry holds all shapes of one type, so a callback need not ask for the type.
+struct ShapeGroup {
+  const std::vector<PlacedShape>* shapes = nullptr;
+  std::vector<ShapeId> ids; ///< by Embree's primitive number
+  double padding = 0.0;     ///< what bounds grow by, for the float error of Embree's rays
+};
+/// By the type's place in Shape.
+using ShapeGroups = std::array<ShapeGroup, std::variant_size_v<Shape>>;
+
+/// What the callbacks know of the rays under way: passed through Embree's context, which must
+/// come first. A ray's number in `states` and `found` is its Embree id.
+struct Query {
+  embree::Context context;
+  const RayState* states = nullptr;
+  NearestCandidates* found = nullptr; ///< for closest hits
+  double distance = kInfinity;        ///< only what is surely nearer counts
+  bool glass_may_hide = false; ///< for occlusion: glass is no answer, only noted in `met_glass`
+  bool met_glass = false;
+};
+
+/// A float not less than `value`.
+[[nodiscard]] float rounded_up(double value);
+
+/// Makes a geometry of every group that has shapes and attaches it. The groups must stay where
+/// they are.
+void attach(const ShapeGroups& groups, RTCDevice device, RTCScene scene);
+
+} // namespace abbe

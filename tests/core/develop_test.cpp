@@ -1,0 +1,134 @@
+#include "core/develop.h"
+#include "tests/catch.h"
+#include "tests/render_text.h"
+
+#include <set>
+
+using namespace abbe;
+
+namespace {
+
+/// A picture of 8 x 6 pixels of which 3 x 2 are rendered, and its plan.
+struct Picture {
+  Plan plan;
+  Film film;
+};
+
+Picture picture(int bands) {
+  const Scene scene = test::scene_from("imageSize 8 6 crop 2 3 5 5 bands 3 background E 1");
+  Picture p{make_plan(scene, scene.settings), Film({2, 3, 5, 5}, 0x1p-40, bands)};
+  const std::vector<float> radiance{0.1f, 0.2f, 0.3f};
+  for (int y = 3; y < 5; ++y)
+    for (int x = 2; x < 5; ++x) {
+      const double v = 0.05 * (x + 3 * (y - 3));
+      p.film.add(x, y, Xyz{0.9, 1.0, 0.8} * v, x > 2, radiance);
+    }
+  return p;
+}
+
+std::set<std::string> names(const Metadata& metadata) {
+  std::set<std::string> result;
+  for (const auto& [name, value] : metadata)
+    result.insert(name);
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("the windows of a crop lie inside the full frame") {
+  const Picture p = picture(3);
+  const PixelWindow full{0, 0, 8, 6}, part{2, 3, 5, 5};
+  const SceneLinearImage linear = develop_scene_linear(p.film, p.plan);
+  CHECK(linear.display == full);
+  CHECK(linear.data == part);
+  CHECK(linear.rgba.size() == 6 * 4);
+  const DisplayImage display = develop_display(p.film, p.plan, {});
+  CHECK(display.display == full);
+  CHECK(display.data == part);
+  CHECK(display.encoded.size() == 6 * 3);
+  CHECK(display.linear.size() == 6 * 3);
+  const SpectralImage spectral = develop_spectral(p.film, p.plan);
+  CHECK(spectral.display == full);
+  CHECK(spectral.data == part);
+}
+
+TEST_CASE("scene-linear pixels are the film's colours and coverage, row by row") {
+  const Picture p = picture(0);
+  const SceneLinearImage image = develop_scene_linear(p.film, p.plan);
+  std::size_t i = 0;
+  for (int y = 3; y < 5; ++y)
+    for (int x = 2; x < 5; ++x, i += 4) {
+      const LinearRgb c = to_linear_srgb(p.film.color(x, y));
+      CHECK(image.rgba[i] == static_cast<float>(c.r));
+      CHECK(image.rgba[i + 1] == static_cast<float>(c.g));
+      CHECK(image.rgba[i + 2] == static_cast<float>(c.b));
+      CHECK(image.rgba[i + 3] == (x > 2 ? 1.0f : 0.0f));
+    }
+}
+
+TEST_CASE("exposure and gamut change the display image") {
+  const Picture p = picture(0);
+  const DisplayImage plain = develop_display(p.film, p.plan, {});
+  const DisplayImage brighter = develop_display(p.film, p.plan, {.exposure_ev = 1.0});
+  for (std::size_t i = 0; i < 3; ++i) // the first pixel stays in gamut
+    CHECK(brighter.linear[i] == Approx(2.0 * plain.linear[i]).epsilon(1e-6));
+  const DisplayImage dazzled = develop_display(p.film, p.plan, {.exposure_ev = 20.0});
+  for (const float v : dazzled.linear)
+    CHECK(v == 1.0f);
+}
+
+TEST_CASE("the display's two encodings differ by the sRGB curve") {
+  const Picture p = picture(0);
+  const DisplayImage image = develop_display(p.film, p.plan, {});
+  for (std::size_t i = 0; i < image.linear.size(); i += 3) {
+    const DisplayRgb e = encode_srgb({image.linear[i], image.linear[i + 1], image.linear[i + 2]});
+    CHECK(image.encoded[i] == Approx(e.r).epsilon(1e-6));
+    CHECK(image.encoded[i + 1] == Approx(e.g).epsilon(1e-6));
+    CHECK(image.encoded[i + 2] == Approx(e.b).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("a spectral image has one plane per band, and the colour picture as a preview") {
+  const Picture p = picture(3);
+  const SpectralImage image = develop_spectral(p.film, p.plan);
+  CHECK(image.wavelengths_nm == std::vector<double>{445.0, 580.0, 715.0});
+  REQUIRE(image.values.size() == 18);
+  for (std::size_t i = 0; i < 6; ++i) {
+    CHECK(image.values[i] == Approx(0.1));
+    CHECK(image.values[6 + i] == Approx(0.2));
+    CHECK(image.values[12 + i] == Approx(0.3));
+  }
+  CHECK(image.rgba == develop_scene_linear(p.film, p.plan).rgba);
+}
+
+TEST_CASE("metadata name every setting that shapes the picture and nothing of the machine") {
+  const Scene scene = test::scene_from("sphere");
+  const auto metadata = [&](auto change) {
+    RenderSettings settings = scene.settings;
+    change(settings);
+    return render_metadata(make_plan(scene, settings));
+  };
+  const Metadata plain = metadata([](RenderSettings&) {});
+  CHECK(names(plain) ==
+        std::set<std::string>{"abbe/integrator", "abbe/bands", "abbe/samples", "abbe/seed",
+                              "abbe/filter", "abbe/shadows", "abbe/depth", "abbe/minThroughput",
+                              "abbe/minReflectivity", "abbe/minTransparency", "abbe/jitter",
+                              "abbe/exact", "abbe/tolerance", "abbe/maxFan"});
+  const auto tells = [&](auto change) { return metadata(change) != plain; };
+  CHECK(tells([](RenderSettings& s) { s.bands = 80; }));
+  CHECK(tells([](RenderSettings& s) { s.samples_per_pixel = 3; }));
+  CHECK(tells([](RenderSettings& s) { s.seed = 3; }));
+  CHECK(tells([](RenderSettings& s) { s.filter = PixelFilter::tent; }));
+  CHECK(tells([](RenderSettings& s) { s.shadows = ShadowRule::none; }));
+  CHECK(tells([](RenderSettings& s) { s.max_depth = 3; }));
+  CHECK(tells([](RenderSettings& s) { s.min_throughput = 0.5; }));
+  CHECK(tells([](RenderSettings& s) { s.min_reflectivity = 0.5; }));
+  CHECK(tells([](RenderSettings& s) { s.min_transparency = 0.5; }));
+  CHECK(tells([](RenderSettings& s) { s.jitter = false; }));
+  CHECK(tells([](RenderSettings& s) { s.exact = true; }));
+  CHECK(tells([](RenderSettings& s) { s.tolerance_pixels = 2.0; }));
+  CHECK(tells([](RenderSettings& s) { s.max_fan = 3; }));
+  CHECK_FALSE(tells([](RenderSettings& s) { s.threads = 7; }));
+  CHECK_FALSE(tells([](RenderSettings& s) { s.tracing = Tracing::single; }));
+  CHECK_FALSE(tells([](RenderSettings& s) { s.skip = false; }));
+}

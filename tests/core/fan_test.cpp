@@ -1,0 +1,166 @@
+#include "core/materials/fresnel.h"
+#include "tests/catch.h"
+#include "tests/core/fan_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace abbe;
+using test::FanScene;
+
+namespace {
+
+/// A ball of dense flint before a wall; the ray through `kAside` meets it well off its middle.
+const std::string kBall = "imageSize 512 512 background E 1 maxFan 405\n"
+                          "push translate 0 0 -4 scale 9 9 9 square pop glass SF11 sphere\n";
+const glm::dvec2 kAside{380.0, 260.0};
+
+bool partition(std::vector<FanCell> cells, int first, int last) {
+  std::sort(cells.begin(), cells.end(),
+            [](const FanCell& a, const FanCell& b) { return a.bundle.first < b.bundle.first; });
+  for (const FanCell& cell : cells) {
+    if (cell.bundle.first != first || cell.bundle.last <= first) return false;
+    first = cell.bundle.last;
+  }
+  return first == last;
+}
+
+/// The ray of one band behind the surface, by Snell's law, and what it meets.
+Hit own_hit(FanScene& s, int band) {
+  const Hit& hit = *s.bundle.hit;
+  const double eta = s.wavelengths.indices(hit.medium_after)[band];
+  const dvec3& d = s.bundle.state.ray.direction;
+  const double cos_i = -glm::dot(d, hit.normal);
+  RayState state;
+  state.ray = {hit.point, refracted(d, hit.normal, cos_i, *refracted_cosine(cos_i, eta), eta)};
+  state.contacts = hit.other_side;
+  state.nesting = hit.nesting_after;
+  return *s.world.closest(state);
+}
+
+} // namespace
+
+TEST_CASE("--exact gives every band its own ray, by Snell's law") {
+  FanScene s(kBall + "exact on", kAside);
+  const auto& cells = s.refract();
+  CHECK(s.rays == 81);
+  REQUIRE(cells.size() == 81);
+  CHECK(partition(cells, 0, 81));
+  for (const FanCell& cell : cells) {
+    CHECK(cell.weight == 1.0f);
+    CHECK_FALSE(cell.shared);
+    REQUIRE(cell.bundle.hit);
+    CHECK(glm::distance(cell.bundle.hit->point, own_hit(s, cell.bundle.first).point) < 1e-12);
+    CHECK(cell.bundle.depth == 1);
+    CHECK(cell.bundle.path_length == s.bundle.hit->t);
+    CHECK(cell.bundle.position_spread == 0.0);
+    CHECK(cell.bundle.direction_spread == 0.0);
+  }
+  // blue is bent more than red, so it leaves farther from the straight way
+  const dvec3 straight = s.bundle.state.ray.direction;
+  CHECK(glm::dot(cells.front().bundle.state.ray.direction, straight) <
+        glm::dot(cells.back().bundle.state.ray.direction, straight));
+}
+
+TEST_CASE("only the bands that are asked for are refracted") {
+  FanScene s(kBall + "exact on", kAside);
+  const auto& cells = s.fan.refract(s.bundle, 20, 33, 1.0, s.wavelengths, 0.5, s.rays);
+  CHECK(partition(cells, 20, 33));
+  CHECK(s.rays == 13);
+}
+
+TEST_CASE("between media without dispersion the bundle stays whole") {
+  for (const char* mode : {"exact on", "exact off tolerance 0"}) {
+    FanScene s(std::string("background E 1 imageSize 512 512 defaultMaterials transparency 1 "
+                           "speedOfLight 1.5 sphere ") +
+                   mode,
+               kAside);
+    const auto& cells = s.refract();
+    REQUIRE(cells.size() == 1);
+    CHECK(partition(cells, 0, 81));
+    CHECK(cells[0].weight == 1.0f);
+    CHECK(s.rays == 1);
+    CHECK(glm::distance(cells[0].bundle.hit->point, own_hit(s, 40).point) < 1e-12);
+  }
+}
+
+TEST_CASE("bands share a ray while the outermost two land together") {
+  std::size_t last = 82;
+  for (const double tolerance : {0.0, 0.1, 0.25, 1.0, 4.0, 100.0}) {
+    FanScene s(kBall + "tolerance " + std::to_string(tolerance), kAside);
+    const std::vector<FanCell> cells = s.refract();
+    CAPTURE(tolerance);
+    CHECK(partition(cells, 0, 81));
+    CHECK(cells.size() <= last); // fewer with more tolerance
+    last = cells.size();
+    for (const FanCell& cell : cells) {
+      CHECK(cell.weight == 1.0f);
+      CHECK(cell.bundle.hit.has_value());
+      const Hit a = own_hit(s, cell.bundle.first), b = own_hit(s, cell.bundle.last - 1);
+      const double way = s.bundle.hit->t + std::max(a.t, b.t);
+      const double pixel = s.camera.pixel_angle() * way;
+      CHECK(glm::distance(a.point, b.point) <= tolerance * pixel);
+      // the shared ray lands between them
+      CHECK(glm::distance(cell.bundle.hit->point, a.point) <=
+            glm::distance(a.point, b.point) + (cell.bundle.bands() == 1 ? 1e-12 : 0.0));
+      CHECK(cell.shared == (cell.bundle.bands() > 1));
+    }
+    if (tolerance == 0.0) CHECK(cells.size() == 81);
+    if (tolerance == 100.0) CHECK(cells.size() == 1);
+  }
+}
+
+TEST_CASE("the spread of a shared ray is that of its outermost bands") {
+  FanScene s(kBall + "tolerance 100", kAside);
+  const auto& cells = s.refract();
+  REQUIRE(cells.size() == 1);
+  const dvec3 from = s.bundle.hit->point;
+  const auto direction = [&](int band) { return glm::normalize(own_hit(s, band).point - from); };
+  CHECK(cells[0].bundle.direction_spread ==
+        Approx(glm::distance(direction(0), direction(80))).epsilon(1e-9));
+  CHECK(cells[0].bundle.position_spread == 0.0);
+}
+
+// The bundle comes with what earlier surfaces have spread: its position's part is handed on, its
+// direction's part grows with the way and is scaled by Snell's law.
+TEST_CASE("earlier spread uses tolerance up") {
+  FanScene s(kBall + "tolerance 2", kAside);
+  const std::size_t fresh = s.refract().size();
+  REQUIRE(fresh < 40);
+  const double pixel = s.camera.pixel_angle() * s.bundle.hit->t;
+  const auto with_spread = [&](double position, double direction) {
+    s.bundle.position_spread = position;
+    s.bundle.direction_spread = direction;
+    return s.refract().size();
+  };
+  CHECK(with_spread(1.9 * pixel, 0.0) >= fresh);
+  CHECK(with_spread(100.0 * pixel, 0.0) == 81);
+  CHECK(with_spread(0.0, 1.9 * s.camera.pixel_angle()) > fresh);
+  CHECK(with_spread(0.0, 100.0 * s.camera.pixel_angle()) == 81);
+}
+
+TEST_CASE("bands whose rays meet different surfaces do not share") {
+  // Through the far edge of a prism's base: whatever the tolerance, the edge parts the bands.
+  FanScene s("imageSize 512 512 background E 1 maxFan 405 tolerance 1e6\n"
+             "push translate 0.0 0 -40 square pop push translate 2.0 0 -40 square pop\n"
+             "glass SF11 rotate 20 0 1 0 cube",
+             {256.0, 256.0});
+  const auto& cells = s.refract();
+  CHECK(partition(cells, 0, 81));
+  for (const FanCell& cell : cells) {
+    const Hit a = own_hit(s, cell.bundle.first), b = own_hit(s, cell.bundle.last - 1);
+    CHECK(a.shape == b.shape);
+    CHECK(a.face == b.face);
+  }
+}
+
+TEST_CASE("packets and single rays make the same fan") {
+  FanScene s(kBall, kAside), packets(kBall, kAside);
+  s.plan.settings.tracing = Tracing::single;
+  const auto &a = s.refract(), &b = packets.refract();
+  REQUIRE(a.size() == b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    CHECK(a[i].bundle.first == b[i].bundle.first);
+    CHECK(a[i].bundle.hit->point == b[i].bundle.hit->point);
+  }
+}

@@ -1,0 +1,150 @@
+#include "core/develop.h"
+#include "tests/catch.h"
+#include "tests/render_text.h"
+
+#include <fmt/format.h>
+
+using namespace abbe;
+
+// The image depends on scene, settings and seed alone. Pixels are compared as bits, in all bands.
+
+namespace {
+
+struct Picture {
+  std::vector<float> rgba, bands;
+  friend bool operator==(const Picture&, const Picture&) = default;
+};
+
+Picture picture(const Scene& scene) {
+  const Plan plan = make_plan(scene, scene.settings);
+  const World world(scene.shapes, farthest_coordinate(scene));
+  const std::atomic<bool> never = false;
+  const Rendering r = render(scene, plan, world, true, {}, never);
+  CHECK(r.film.refused().not_finite == 0);
+  CHECK(r.film.refused().negative == 0);
+  CHECK(r.film.refused().overflow == 0);
+  return {develop_scene_linear(r.film, plan).rgba, develop_spectral(r.film, plan).values};
+}
+
+Scene small(const std::string& name) {
+  Scene scene = test::project_scene(name, 40);
+  scene.settings.samples_per_pixel = 4;
+  return scene;
+}
+
+const auto kScenes = {"sphere", "cube", "prism_a", "lens"};
+
+} // namespace
+
+TEST_CASE("1, 2 and 7 threads make the same bytes") {
+  for (const char* name : kScenes) {
+    Scene scene = small(name);
+    scene.settings.threads = 1;
+    const Picture one = picture(scene);
+    for (const int threads : {2, 7}) {
+      INFO(name << ", " << threads << " threads");
+      scene.settings.threads = threads;
+      CHECK(picture(scene) == one);
+    }
+  }
+}
+
+TEST_CASE("packets and single rays make the same bytes") {
+  for (const char* name : kScenes) {
+    INFO(name);
+    Scene scene = small(name);
+    scene.settings.tracing = Tracing::packets;
+    const Picture packets = picture(scene);
+    scene.settings.tracing = Tracing::single;
+    CHECK(picture(scene) == packets);
+  }
+}
+
+TEST_CASE("what the plan skips changes no byte") {
+  for (const int bands : {81, 27}) {
+    for (const char* name : kScenes) {
+      INFO(name << ", " << bands << " bands");
+      Scene scene = small(name);
+      scene.settings.bands = bands;
+      scene.settings.skip = true;
+      const Picture skipped = picture(scene);
+      scene.settings.skip = false;
+      CHECK(picture(scene) == skipped);
+    }
+    // Filter 2a is dark below 410 and above 700 nm, half of the picture is empty.
+    Scene scene = test::scene_from("lights " ABBE_SOURCE_DIR "/scenes/lights.filter\n"
+                                   "imageSize 48 48 samples 4 eye 0 0 9 fieldOfView 40\n"
+                                   "light 2a 3 4 5 1 glass SF11 push translate 1 0 0 sphere pop\n"
+                                   "defaultMaterials diffuse 0.7 0.5 0.2\n"
+                                   "push translate 1 0 -2 square pop");
+    scene.settings.bands = bands;
+    scene.settings.skip = true;
+    CHECK(make_plan(scene, scene.settings).notes.size() >= 3); // bands and tiles are skipped
+    const Picture skipped = picture(scene);
+    scene.settings.skip = false;
+    CHECK(picture(scene) == skipped);
+  }
+}
+
+TEST_CASE("the same seed makes the same bytes, another seed others") {
+  Scene scene = small("lens");
+  const Picture first = picture(scene);
+  CHECK(picture(scene) == first);
+  scene.settings.seed = 1;
+  CHECK_FALSE(picture(scene) == first);
+}
+
+TEST_CASE("a crop shows the bytes of its part of the whole picture") {
+  Scene scene = small("prism_a");
+  const Picture whole = picture(scene);
+  scene.settings.crop = PixelWindow{8, 3, 29, 31};
+  const Picture part = picture(scene);
+  for (int y = 3; y < 31; ++y)
+    for (int x = 8; x < 29; ++x)
+      for (int c = 0; c < 4; ++c) {
+        const auto in_part = static_cast<std::size_t>(((y - 3) * 21 + (x - 8)) * 4 + c);
+        const auto in_whole = static_cast<std::size_t>((y * 40 + x) * 4 + c);
+        REQUIRE(part.rgba[in_part] == whole.rgba[in_whole]);
+      }
+}
+
+namespace {
+
+/// One scene at a scale: every length times `s`. The lamp does not fall off, so nothing else
+/// changes.
+std::string scaled_scene(double s) {
+  const auto n = [s](double v) { return fmt::format("{}", v * s); };
+  const std::string all = n(1) + " " + n(1) + " " + n(1);
+  return "imageSize 40 40 samples 4 fieldOfView 35 background 0.3 0.4 0.6 globalAmbient 0.2 0.2 "
+         "0.2\n"
+         "eye " +
+         n(0) + " " + n(2) + " " + n(8) +
+         "\n"
+         "scale " +
+         all +
+         "\n"
+         "light D65 4 6 5 1 glass SF11 push rotate 30 0 1 0 prism pop\n"
+         "push translate 1.5 0 1 lens sphere push translate 0.75 0.25 0 sphere pop pop\n"
+         "defaultMaterials diffuse 0.7 0.5 0.2 push translate 0 -1 0 rotate -90 1 0 0 scale 6 6 1 "
+         "square pop";
+}
+
+} // namespace
+
+TEST_CASE("a scene scaled by a power of two makes the same bytes") {
+  const Picture original = picture(test::scene_from(scaled_scene(1.0)));
+  CHECK(picture(test::scene_from(scaled_scene(1024.0))) == original);
+  CHECK(picture(test::scene_from(scaled_scene(0.015625))) == original);
+}
+
+TEST_CASE("a scene scaled by 1e4 or 1e-4 makes the same picture within noise") {
+  const auto mean = [](const Picture& p) {
+    double sum = 0.0;
+    for (const float v : p.rgba)
+      sum += static_cast<double>(v);
+    return sum / static_cast<double>(p.rgba.size());
+  };
+  const double original = mean(picture(test::scene_from(scaled_scene(1.0))));
+  CHECK(mean(picture(test::scene_from(scaled_scene(1e4)))) == Approx(original).epsilon(2e-3));
+  CHECK(mean(picture(test::scene_from(scaled_scene(1e-4)))) == Approx(original).epsilon(2e-3));
+}

@@ -1,0 +1,34 @@
+#include "tests/io/read_scene_helpers.h"
+
+#include "io/read_scene_state.h"
+#include "tests/catch.h"
+
+using namespace abbe;
+
+namespace {
+
+std::string manual() {
+  return read_text_file(std::filesystem::path(ABBE_SOURCE_DIR) / "docs/scene_format.md");
+}
+
+} // namespace
+
+TEST_CASE("docs/scene_format.md has every keyword with its arguments") {
+  const std::string text = manual();
+  for (const auto& table :
+       {setting_keywords(), camera_keywords(), transform_keywords(), material_keywords(),
+        light_keywords(), shape_keywords(), boolean_keywords()})
+    for (const SceneKeyword& keyword : table) {
+      INFO(keyword.usage);
+      CHECK(text.find("- `" + std::string(keyword.usage) + "`:") != std::string::npos);
+    }
+}
+
+TEST_CASE("the example of docs/scene_format.md can be read") {
+  const std::string text = manual(), fence = "```";
+  const std::size_t begin = text.find(fence + "sdl\n") + fence.size() + 4;
+  const Scene scene = scene_of(text.substr(begin, text.find(fence, begin) - begin));
+  CHECK(scene.shapes.size() == 2);
+  CHECK(scene.lights.size() == 2);
+  CHECK(scene.settings.width == 640);
+}

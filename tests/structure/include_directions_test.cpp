@@ -1,0 +1,199 @@
+#include "tests/catch.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SourceFile {
+  std::vector<std::string> includes; ///< what stands between the quotes or angle brackets
+  int lines = 0;
+};
+
+/// By path relative to the project, with forward slashes.
+using Tree = std::map<std::string, SourceFile>;
+
+/// Files whose path begins with `where` may include what begins with `what`.
+struct Permission {
+  std::string_view where, what;
+};
+
+// Besides the standard library, which all may include. Third parties stand behind one file.
+constexpr Permission kPermissions[] = {
+    {"spectral/", "spectral/"},
+    {"geometry/", "geometry/"},
+    {"geometry/", "glm/"},
+    {"geometry/world", "embree"},
+    {"core/", "core/"},
+    {"core/", "geometry/"},
+    {"core/", "spectral/"},
+    {"core/", "glm/"},
+    {"core/", "fmt/"},
+    {"core/render.cpp", "tbb/"},
+    {"core/render.cpp", "immintrin.h"}, // flushes denormal numbers
+    {"io/", "io/"},
+    {"io/", "core/"},
+    {"io/", "geometry/"},
+    {"io/", "spectral/"},
+    {"io/", "glm/"},
+    {"io/", "fmt/"},
+    {"io/command_line.cpp", "CLI/"},
+    {"io/write_exr.cpp", "OpenEXR/"},
+    {"io/write_exr.cpp", "Imath/"}, // a part of OpenEXR
+    {"io/write_tiff.cpp", "tiffio.h"},
+    {"io/write_png.cpp", "png.h"},
+    {"io/icc_profile.cpp", "lcms2.h"},
+    {"io/atomic_file.cpp", "fcntl.h"},
+    {"io/atomic_file.cpp", "unistd.h"},
+    {"io/main.cpp", "unistd.h"},
+    {"io/progress.cpp", "sys/resource.h"},
+    {"io/progress.cpp", "unistd.h"},
+    {"tests/", ""},
+    {"bench/", ""},
+};
+
+bool is_standard(std::string_view include) {
+  return include.find_first_of("./") == include.npos;
+}
+
+bool may_include(std::string_view file, std::string_view include) {
+  return is_standard(include) ||
+         std::any_of(std::begin(kPermissions), std::end(kPermissions), [&](const Permission& p) {
+           return file.starts_with(p.where) && include.starts_with(p.what);
+         });
+}
+
+std::vector<std::string> forbidden_includes(const Tree& tree) {
+  std::vector<std::string> result;
+  for (const auto& [path, file] : tree)
+    for (const std::string& include : file.includes)
+      if (!may_include(path, include)) result.push_back(path + " includes " + include);
+  return result;
+}
+
+/// Adds "a -> b -> a" to `cycles` for each way from the end of `way` back into it.
+void find_cycles(const Tree& tree, std::vector<std::string>& way, std::set<std::string>& done,
+                 std::vector<std::string>& cycles) {
+  const std::string path = way.back();
+  for (const std::string& include : tree.at(path).includes) {
+    if (const auto met = std::find(way.begin(), way.end(), include); met != way.end()) {
+      std::string cycle;
+      for (auto step = met; step != way.end(); ++step)
+        cycle += *step + " -> ";
+      cycles.push_back(cycle + include);
+    } else if (tree.contains(include) && !done.contains(include)) {
+      way.push_back(include);
+      find_cycles(tree, way, done, cycles);
+      way.pop_back();
+    }
+  }
+  done.insert(path);
+}
+
+std::vector<std::string> include_cycles(const Tree& tree) {
+  std::vector<std::string> cycles;
+  std::set<std::string> done;
+  for (const auto& [path, file] : tree) {
+    std::vector<std::string> way{path};
+    if (!done.contains(path)) find_cycles(tree, way, done, cycles);
+  }
+  return cycles;
+}
+
+std::vector<std::string> longer_than(const Tree& tree, int lines) {
+  std::vector<std::string> result;
+  for (const auto& [path, file] : tree)
+    if (file.lines > lines)
+      result.push_back(path + " has " + std::to_string(file.lines) + " lines");
+  return result;
+}
+
+SourceFile parse(std::istream& text) {
+  SourceFile file;
+  for (std::string line; std::getline(text, line); ++file.lines) {
+    std::size_t at = line.find_first_not_of(" \t");
+    if (at == line.npos || line[at] != '#') continue;
+    at = line.find_first_not_of(" \t", at + 1);
+    if (at == line.npos || line.compare(at, 7, "include") != 0) continue;
+    const std::size_t open = line.find_first_of("\"<", at);
+    const std::size_t close = line.find_first_of("\">", open + 1);
+    if (open != line.npos && close != line.npos)
+      file.includes.push_back(line.substr(open + 1, close - open - 1));
+  }
+  return file;
+}
+
+Tree project() {
+  Tree tree;
+  const fs::path root = ABBE_SOURCE_DIR;
+  for (const char* folder : {"spectral", "geometry", "core", "io", "tests", "bench"}) {
+    if (!fs::is_directory(root / folder)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension != ".h" && extension != ".cpp") continue;
+      std::ifstream text(entry.path());
+      tree[entry.path().lexically_relative(root).generic_string()] = parse(text);
+    }
+  }
+  return tree;
+}
+
+const std::vector<std::string> kNothing;
+
+} // namespace
+
+TEST_CASE("the project's files are found and read") {
+  const Tree tree = project();
+  CHECK(tree.size() > 100);
+  REQUIRE(tree.contains("core/integrators/whitted.cpp"));
+  const SourceFile& file = tree.at("core/integrators/whitted.cpp");
+  CHECK(file.lines > 50);
+  CHECK(file.includes.front() == "core/integrators/whitted.h");
+  CHECK(std::count(file.includes.begin(), file.includes.end(), "algorithm") == 1);
+}
+
+TEST_CASE("includes point downwards, and each third party stands behind one file") {
+  CHECK(forbidden_includes(project()) == kNothing);
+}
+
+TEST_CASE("no header includes itself, however far around") {
+  CHECK(include_cycles(project()) == kNothing);
+}
+
+TEST_CASE("no source file is longer than 500 lines") {
+  CHECK(longer_than(project(), 500) == kNothing);
+}
+
+TEST_CASE("each rule finds what breaks it") {
+  const auto broken = [](const std::string& path, const std::string& include) {
+    return !forbidden_includes({{path, {{include}, 1}}}).empty();
+  };
+  CHECK_FALSE(broken("core/fan.cpp", "vector"));
+  CHECK_FALSE(broken("core/fan.cpp", "geometry/world.h"));
+  CHECK(broken("spectral/curve.h", "geometry/ray.h"));
+  CHECK(broken("spectral/curve.h", "glm/vec3.hpp"));
+  CHECK(broken("geometry/ray.h", "spectral/curve.h"));
+  CHECK(broken("geometry/sphere.cpp", "embree3/rtcore.h"));
+  CHECK(broken("geometry/sphere.cpp", "core/plan.h"));
+  CHECK(broken("core/plan.cpp", "io/token.h"));
+  CHECK(broken("core/plan.cpp", "tbb/parallel_for.h"));
+  CHECK(broken("core/plan.cpp", "embree3/rtcore.h"));
+  CHECK(broken("io/main.cpp", "CLI/CLI.hpp"));
+  CHECK(broken("io/write_tiff.cpp", "OpenEXR/ImfHeader.h"));
+  CHECK(broken("io/main.cpp", "tests/catch.h"));
+
+  const Tree ring{{"a.h", {{"b.h"}, 1}}, {"b.h", {{"c.h", "vector"}, 1}}, {"c.h", {{"b.h"}, 1}}};
+  CHECK(include_cycles(ring) == std::vector<std::string>{"b.h -> c.h -> b.h"});
+  CHECK(include_cycles({{"a.h", {{"a.h"}, 1}}}) == std::vector<std::string>{"a.h -> a.h"});
+
+  CHECK(longer_than({{"a.h", {{}, 501}}, {"b.h", {{}, 500}}}, 500) ==
+        std::vector<std::string>{"a.h has 501 lines"});
+}
