@@ -56,6 +56,11 @@ TEST_CASE("csg: the three operations along an axis") {
   REQUIRE(rest[0].exit.face.leaf == 1);
 }
 
+TEST_CASE("csg: a line that only touches meets nothing") {
+  REQUIRE(line({unite, ball({0, 0, 0}), ball({0, 0, 5})}, {1, 0, -3}, {0, 0, 1}).empty());
+  REQUIRE(line({subtract, ball({0, 0, 0}), ball({0, 0, 2})}, {1, 0, -3}, {0, 0, 1}).empty());
+}
+
 TEST_CASE("csg: a hollow ball has two parts, and its inner normal points inwards") {
   const CsgTree shell(subtract, ball({0, 0, 0}), ball({0, 0, 0}, 0.5));
   const auto parts = line(shell, {0, 0, -3}, {0, 0, 1});
