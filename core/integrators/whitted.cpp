@@ -85,7 +85,7 @@ void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, Radi
     const Illumination light = illumination(scene_.lights[i], hit.point);
     const double lambert = glm::dot(light.direction, normal);
     if (!(lambert > 0.0) || light.strength == 0.0) continue;
-    const RayState towards_lamp{{hit.point, light.direction}, hit.same_side, bundle.state.nesting};
+    const RayState towards_lamp{{hit.point, light.direction}, hit.same_side, hit.nesting_before};
     const float* arriving = shadow_rays_.transmittance(towards_lamp, light.distance, bundle.first,
                                                        bundle.last, wavelengths_, counts);
     if (!arriving) continue;
@@ -149,6 +149,7 @@ void Whitted::reflect(const Bundle& bundle, const float* factors, RayCounts& cou
   next.state.ray.direction =
       reflected(bundle.state.ray.direction, hit.entering ? hit.normal : -hit.normal);
   next.state.contacts = hit.same_side;
+  next.state.nesting = hit.nesting_before;
   next.depth = bundle.depth + 1;
   next.path_length = bundle.path_length + hit.t;
   next.position_spread = bundle.position_spread + bundle.direction_spread * hit.t;

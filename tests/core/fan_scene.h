@@ -26,6 +26,7 @@ struct FanScene {
     bundle.first = plan.first_band;
     bundle.last = plan.last_band;
     bundle.state.ray = camera.ray(pixel);
+    bundle.state.nesting = world.nesting_at(scene.camera.eye);
     bundle.hit = world.closest(bundle.state);
   }
   FanScene(const FanScene&) = delete; // the fan refers to the plan

@@ -15,6 +15,13 @@ const std::string kBall = "imageSize 512 512 background E 1 maxFan 405\n"
                           "push translate 0 0 -4 scale 9 9 9 square pop glass SF11 sphere\n";
 const glm::dvec2 kAside{380.0, 260.0};
 
+/// From inside a block of flint through a slanting face onto a wall, where every way ends.
+const std::string kOutwards =
+    "imageSize 512 512 eye 0 0 0 lookAt 0 0 -1 background E 1 maxFan 405\n"
+    "push translate 0 0 -6 scale 60 60 1 square pop\n"
+    "glass SF11 rotate 25 0 1 0 cube\n";
+const glm::dvec2 kMiddle{256.0, 256.0};
+
 bool partition(std::vector<FanCell> cells, int first, int last) {
   std::sort(cells.begin(), cells.end(),
             [](const FanCell& a, const FanCell& b) { return a.bundle.first < b.bundle.first; });
@@ -28,11 +35,13 @@ bool partition(std::vector<FanCell> cells, int first, int last) {
 /// The ray of one band behind the surface, by Snell's law, and what it meets.
 Hit own_hit(FanScene& s, int band) {
   const Hit& hit = *s.bundle.hit;
-  const double eta = s.wavelengths.indices(hit.medium_after)[band];
+  const double eta = s.wavelengths.indices(hit.medium_after)[band] /
+                     s.wavelengths.indices(hit.medium_before)[band];
   const dvec3& d = s.bundle.state.ray.direction;
-  const double cos_i = -glm::dot(d, hit.normal);
+  const dvec3 normal = hit.entering ? hit.normal : -hit.normal;
+  const double cos_i = -glm::dot(d, normal);
   RayState state;
-  state.ray = {hit.point, refracted(d, hit.normal, cos_i, *refracted_cosine(cos_i, eta), eta)};
+  state.ray = {hit.point, refracted(d, normal, cos_i, *refracted_cosine(cos_i, eta), eta)};
   state.contacts = hit.other_side;
   state.nesting = hit.nesting_after;
   return *s.world.closest(state);
@@ -85,28 +94,53 @@ TEST_CASE("between media without dispersion the bundle stays whole") {
 }
 
 TEST_CASE("bands share a ray while the outermost two land together") {
-  std::size_t last = 82;
-  for (const double tolerance : {0.0, 0.1, 0.25, 1.0, 4.0, 100.0}) {
-    FanScene s(kBall + "tolerance " + std::to_string(tolerance), kAside);
-    const std::vector<FanCell> cells = s.refract();
-    CAPTURE(tolerance);
-    CHECK(partition(cells, 0, 81));
-    CHECK(cells.size() <= last); // fewer with more tolerance
-    last = cells.size();
-    for (const FanCell& cell : cells) {
-      CHECK(cell.weight == 1.0f);
-      CHECK(cell.bundle.hit.has_value());
-      const Hit a = own_hit(s, cell.bundle.first), b = own_hit(s, cell.bundle.last - 1);
-      const double way = s.bundle.hit->t + std::max(a.t, b.t);
-      const double pixel = s.camera.pixel_angle() * way;
-      CHECK(glm::distance(a.point, b.point) <= tolerance * pixel);
-      // the shared ray lands between them
-      CHECK(glm::distance(cell.bundle.hit->point, a.point) <=
-            glm::distance(a.point, b.point) + (cell.bundle.bands() == 1 ? 1e-12 : 0.0));
-      CHECK(cell.shared == (cell.bundle.bands() > 1));
+  for (const bool outwards : {false, true}) {
+    std::size_t last = 82;
+    for (const double tolerance : {0.0, 0.1, 0.25, 1.0, 4.0, 1000.0}) {
+      FanScene s((outwards ? kOutwards : kBall) + "tolerance " + std::to_string(tolerance),
+                 outwards ? kMiddle : kAside);
+      const std::vector<FanCell> cells = s.refract();
+      CAPTURE(outwards, tolerance);
+      CHECK(partition(cells, 0, 81));
+      CHECK(cells.size() <= last); // fewer with more tolerance
+      last = cells.size();
+      for (const FanCell& cell : cells) {
+        CHECK(cell.weight == 1.0f);
+        REQUIRE(cell.bundle.hit.has_value());
+        const Hit a = own_hit(s, cell.bundle.first), b = own_hit(s, cell.bundle.last - 1);
+        const double way = s.bundle.hit->t + std::max(a.t, b.t);
+        const double pixel = s.camera.pixel_angle() * way;
+        CHECK(glm::distance(a.point, b.point) <= tolerance * pixel);
+        // the shared ray lands between them
+        CHECK(glm::distance(cell.bundle.hit->point, a.point) <=
+              glm::distance(a.point, b.point) + (cell.bundle.bands() == 1 ? 1e-12 : 0.0));
+        CHECK(cell.shared == (cell.bundle.bands() > 1));
+      }
+      if (tolerance == 0.0) CHECK(cells.size() == 81);
+      if (tolerance == 1000.0) CHECK(cells.size() == 1);
     }
-    if (tolerance == 0.0) CHECK(cells.size() == 81);
-    if (tolerance == 100.0) CHECK(cells.size() == 1);
+  }
+}
+
+// On the wall nothing goes on, so the landing points alone decide: a range is halved no further
+// than its outermost bands need.
+TEST_CASE("bands part no further than tolerance demands") {
+  FanScene s(kOutwards + "tolerance 4", kMiddle);
+  const auto& cells = s.refract();
+  const auto spread = [&](int first, int last) {
+    const Hit a = own_hit(s, first), b = own_hit(s, last - 1);
+    return glm::distance(a.point, b.point) /
+           (s.camera.pixel_angle() * (s.bundle.hit->t + std::max(a.t, b.t)));
+  };
+  CHECK(cells.size() > 4);
+  for (const FanCell& cell : cells) {
+    int first = 0, last = 81; // the way by halves to this cell
+    while (first != cell.bundle.first || last != cell.bundle.last) {
+      REQUIRE(last - first > cell.bundle.bands());
+      CHECK(spread(first, last) > 4.0);
+      const int middle = first + (last - first) / 2;
+      (cell.bundle.first < middle ? last : first) = middle;
+    }
   }
 }
 
@@ -139,18 +173,28 @@ TEST_CASE("earlier spread uses tolerance up") {
   CHECK(with_spread(0.0, 100.0 * s.camera.pixel_angle()) == 81);
 }
 
-TEST_CASE("bands whose rays meet different surfaces do not share") {
-  // Through the far edge of a prism's base: whatever the tolerance, the edge parts the bands.
-  FanScene s("imageSize 512 512 background E 1 maxFan 405 tolerance 1e6\n"
-             "push translate 0.0 0 -40 square pop push translate 2.0 0 -40 square pop\n"
-             "glass SF11 rotate 20 0 1 0 cube",
-             {256.0, 256.0});
-  const auto& cells = s.refract();
-  CHECK(partition(cells, 0, 81));
-  for (const FanCell& cell : cells) {
-    const Hit a = own_hit(s, cell.bundle.first), b = own_hit(s, cell.bundle.last - 1);
-    CHECK(a.shape == b.shape);
-    CHECK(a.face == b.face);
+TEST_CASE("bands whose rays meet different faces or shapes do not share, whatever the tolerance") {
+  FanScene open(kOutwards, kMiddle);
+  const std::string there = "push translate " + std::to_string(own_hit(open, 40).point.x) + " 0 0 ";
+  // A box whose edge faces the fan, and two walls, one of which ends within it.
+  for (const char* obstacle : {"push translate 0 0 -5 rotate 45 0 1 0 cube pop pop\n",
+                               "push translate 30 0 -5.9 scale 30 30 1 square pop pop\n"}) {
+    int parted = 0;
+    for (double x = 200.0; x < 312.0; x += 4.0) {
+      FanScene s(there + obstacle + kOutwards + "tolerance 1e6", {x, 256.0});
+      const auto& cells = s.refract();
+      CHECK(partition(cells, 0, 81));
+      for (const FanCell& cell : cells) {
+        const Hit a = own_hit(s, cell.bundle.first), b = own_hit(s, cell.bundle.last - 1);
+        CHECK(a.shape == b.shape);
+        CHECK(a.face == b.face);
+      }
+      const Hit first = own_hit(s, 0), last = own_hit(s, 80);
+      const bool same = first.shape == last.shape && first.face == last.face;
+      CHECK((cells.size() == 1) == same);
+      parted += same ? 0 : 1;
+    }
+    CHECK(parted > 0);
   }
 }
 

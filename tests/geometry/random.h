@@ -45,7 +45,8 @@ public:
     for (int i = 0; i < 3; ++i)
       scale[i][i] = std::exp(uniform(std::log(1.0 / 3), std::log(3.0)));
     if (chance(0.5)) scale[0][0] = -scale[0][0];
-    return rotation() * scale * rotation();
+    const glm::dmat3 inner = rotation();
+    return rotation() * scale * inner;
   }
   /// Planes at 0.5 to 1.5 from the origin. Six near the axes close the solid, the others cut it.
   [[nodiscard]] std::vector<HalfSpace> planes(int count) {

@@ -254,7 +254,7 @@ void check(const Walk& walk, int segments = 100000) {
     CHECK(count.stuck == 0);
     CHECK(count.same_face == 0);
     CHECK(count.gap == 0);
-    CHECK(count.undecided < count.segments / (setting.offset == 0 ? 200 : 50));
+    CHECK(count.undecided < count.segments / 50);
     if (walk.cemented({0.05, 0.05, 0.1})) CHECK(count.cemented > 100);
   }
 }
