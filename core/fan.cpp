@@ -137,21 +137,21 @@ void Fan::want(int band) {
 }
 
 /// How many sub-bundles of a range may be followed. The noise of a branch kept as m of them goes as
-/// throughput^2 / m and its cost as m, so the least noise for a given cost is had with m in
-/// proportion to throughput.
-std::size_t Fan::sub_bundles_allowed(Range range, double throughput) const {
+/// importance^2 / m and its cost as m, so the least noise for a given cost is had with m in
+/// proportion to importance.
+std::size_t Fan::sub_bundles_allowed(Range range, double importance) const {
   const double bands = range.last - range.first;
   if (plan_.follows_all()) return static_cast<std::size_t>(bands);
   const double live = std::max(plan_.live_last - plan_.live_first, 1);
-  const double share = plan_.settings.max_fan * bands / live * std::min(throughput, 1.0);
+  const double share = plan_.settings.max_fan * bands / live * std::min(importance, 1.0);
   return static_cast<std::size_t>(std::max(1.0, std::round(share)));
 }
 
 /// Halves ranges of bands, all of one size before the next smaller, until each may share a ray or
 /// the path's share of sub-bundles is used up.
-void Fan::part(Range whole, double throughput, PathWavelengths& wavelengths,
+void Fan::part(Range whole, double importance, PathWavelengths& wavelengths,
                std::uint64_t& rays_traced) {
-  const std::size_t most = sub_bundles_allowed(whole, throughput);
+  const std::size_t most = sub_bundles_allowed(whole, importance);
   strata_.clear();
   ranges_.assign(1, whole);
   while (!ranges_.empty()) {
@@ -206,7 +206,7 @@ void Fan::trace_shared_cells(std::uint64_t& rays_traced) {
 }
 
 const std::vector<FanCell>& Fan::refract(const Bundle& bundle, int first, int last,
-                                         double throughput, PathWavelengths& wavelengths,
+                                         double importance, PathWavelengths& wavelengths,
                                          double choice, std::uint64_t& rays_traced) {
   prepare(bundle, first, last, wavelengths);
   const Hit& hit = *bundle.hit;
@@ -220,7 +220,7 @@ const std::vector<FanCell>& Fan::refract(const Bundle& bundle, int first, int la
     for (int b = first; b < last; ++b)
       add_band(b, 1.0f);
   } else {
-    part({first, last}, throughput, wavelengths, rays_traced);
+    part({first, last}, importance, wavelengths, rays_traced);
     keep_one_of_each_stratum(choice, rays_traced);
   }
   trace_shared_cells(rays_traced);

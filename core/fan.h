@@ -26,10 +26,10 @@ public:
   Fan(const Plan& plan, const World& world, double pixel_angle);
 
   /// The incoming bundle refracted at its hit for bands [first, last), all of which pass.
-  /// `throughput` is the largest that any of them carries on; it sets how finely they may part.
-  /// `choice` in [0, 1) is the path's number for the roulette. The result is valid until the next
-  /// call; `rays_traced` grows by the rays that were needed.
-  const std::vector<FanCell>& refract(const Bundle& bundle, int first, int last, double throughput,
+  /// `importance` is how much of what they meet they bring to the picture; it sets how finely they
+  /// may part. `choice` in [0, 1) is the path's number for the roulette. The result is valid until
+  /// the next call; `rays_traced` grows by the rays that were needed.
+  const std::vector<FanCell>& refract(const Bundle& bundle, int first, int last, double importance,
                                       PathWavelengths& wavelengths, double choice,
                                       std::uint64_t& rays_traced);
 
@@ -53,8 +53,8 @@ private:
   void add_undivided(Range range);
   [[nodiscard]] bool all_would_leave(Range range) const;
   [[nodiscard]] bool may_share(Range range) const;
-  [[nodiscard]] std::size_t sub_bundles_allowed(Range range, double throughput) const;
-  void part(Range whole, double throughput, PathWavelengths& wavelengths,
+  [[nodiscard]] std::size_t sub_bundles_allowed(Range range, double importance) const;
+  void part(Range whole, double importance, PathWavelengths& wavelengths,
             std::uint64_t& rays_traced);
   void keep_one_of_each_stratum(double choice, std::uint64_t& rays_traced);
 

@@ -39,7 +39,7 @@ struct RenderSettings {
   bool exact = false;             ///< every band its own ray: neither tolerance nor roulette
   bool jitter = true;             ///< wavelengths drawn inside the bands instead of their centres
   double tolerance_pixels = 0.25; ///< bands share a ray while their spread is below this
-  int max_fan = 32;               ///< at most so many sub-bundles of one path are followed
+  int max_fan = 8;                ///< at most so many sub-bundles of one path are followed
 
   int threads = 0;  ///< 0: one per processor
   bool skip = true; ///< leave out what the plan finds to be without effect

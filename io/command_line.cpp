@@ -122,7 +122,7 @@ void add_settings(CLI::App& app, SettingsOverride& s) {
   app.add_option("--tolerance", s.tolerance_pixels,
                  "Bands share a ray while it strays less than this many pixels (default 0.25)")
       ->check(number_from(0.0, 65536.0));
-  app.add_option("--fan", s.max_fan, "Most sub-bundles that one path follows (default 32)")
+  app.add_option("--fan", s.max_fan, "Most sub-bundles that one path follows (default 8)")
       ->check(CLI::Range(1, 405));
   add_choice<bool>(app, "--jitter", s.jitter, on_off, "Draw wavelengths inside bands (default on)");
   app.add_option_function<std::string>(

@@ -105,21 +105,25 @@ void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, Radi
   }
 }
 
-float Whitted::largest(const float* throughput, const float* factors, int first, int last) const {
+/// How much of what it meets a branch brings to the picture: the largest throughput of its bands,
+/// times n^2 of the medium it goes through, since radiance there is n^2 times that outside.
+double Whitted::importance(const float* throughput, const float* factors, int first, int last,
+                           MediumId medium) {
   float most = 0.0f;
   for (int b = first; b < last; ++b)
     most = std::max(most, throughput[b] * factors[b]);
-  return most;
+  const double n = wavelengths_.indices(medium)[first];
+  return static_cast<double>(most) * n * n;
 }
 
 /// The chance that a branch is followed: narrow and faint ones would cost as much as they add
-/// little. A branch matters in proportion to its throughput and to its share of the bands.
-double Whitted::chance(float throughput, int bands) const {
+/// little. A branch matters in proportion to its importance and to its share of the bands.
+double Whitted::chance(double importance, int bands) const {
   if (plan_.follows_all()) return 1.0;
   // A bundle that carries dead bands too, where nothing is skipped, has no larger share for them.
   const int live = std::max(plan_.live_last - plan_.live_first, 1);
   const double share = std::min(1.0, static_cast<double>(bands) / live);
-  const double sub_bundles = static_cast<double>(throughput) * share * plan_.settings.max_fan;
+  const double sub_bundles = importance * share * plan_.settings.max_fan;
   return std::min(1.0, sub_bundles / kSurePart);
 }
 
@@ -139,11 +143,12 @@ void Whitted::scatter(const Bundle& bundle, double choice, RayCounts& counts) {
 }
 
 void Whitted::reflect(const Bundle& bundle, const float* factors, RayCounts& counts) {
-  const float most = largest(throughput_.data(), factors, bundle.first, bundle.last);
-  if (!(most > static_cast<float>(plan_.settings.min_throughput))) return;
-  const double survives = chance(most, bundle.bands());
-  if (survives < 1.0 && decisions_.next() >= survives) return;
   const Hit& hit = *bundle.hit;
+  const double brought =
+      importance(throughput_.data(), factors, bundle.first, bundle.last, hit.medium_before);
+  if (!(brought > plan_.settings.min_throughput)) return;
+  const double survives = chance(brought, bundle.bands());
+  if (survives < 1.0 && decisions_.next() >= survives) return;
   Bundle next = bundle;
   next.state.ray.origin = hit.point;
   next.state.ray.direction =
@@ -175,10 +180,11 @@ void Whitted::refract(const Bundle& bundle, double choice, RayCounts& counts) {
     int last = first + 1;
     while (last < bundle.last && passes(last))
       ++last;
-    const float most = largest(lit_.data(), ones_.data(), first, last);
-    if (most > static_cast<float>(plan_.settings.min_throughput))
+    const double brought =
+        importance(lit_.data(), ones_.data(), first, last, bundle.hit->medium_after);
+    if (brought > plan_.settings.min_throughput)
       for (const FanCell& cell :
-           fan_.refract(bundle, first, last, most, wavelengths_, choice, counts.refracted))
+           fan_.refract(bundle, first, last, brought, wavelengths_, choice, counts.refracted))
         push(cell.bundle, lit_.data(), cell.weight);
     first = last;
   }

@@ -32,9 +32,9 @@ private:
   void scatter(const Bundle& bundle, double choice, RayCounts& counts);
   void reflect(const Bundle& bundle, const float* factors, RayCounts& counts);
   void refract(const Bundle& bundle, double choice, RayCounts& counts);
-  [[nodiscard]] float largest(const float* throughput, const float* factors, int first,
-                              int last) const;
-  [[nodiscard]] double chance(float throughput, int bands) const;
+  [[nodiscard]] double importance(const float* throughput, const float* factors, int first,
+                                  int last, MediumId medium);
+  [[nodiscard]] double chance(double importance, int bands) const;
 
   const Scene& scene_;
   const Plan& plan_;

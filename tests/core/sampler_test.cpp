@@ -85,6 +85,33 @@ TEST_CASE("purposes, neighbours and seeds are uncorrelated") {
     CHECK(std::abs(sum / (kSide * kSide)) < 5.0 / (12.0 * kSide));
 }
 
+// The mean of N uniform numbers has the standard deviation 1 / sqrt(12 N), the mean of the products
+// of neighbours about their mean 1 / (12 sqrt(N)).
+TEST_CASE("a path's decisions are a stream of its own, uniform and without memory") {
+  DecisionStream stream = Sampler(3, 7, 5, 1).decisions();
+  DecisionStream again = Sampler(3, 7, 5, 1).decisions();
+  DecisionStream other_index = Sampler(3, 7, 6, 1).decisions();
+  DecisionStream other_pixel = Sampler(4, 7, 5, 1).decisions();
+  constexpr int kCount = 10000;
+  double mean = 0.0, neighbours = 0.0, indices = 0.0, last = 0.0;
+  for (int i = 0; i < kCount; ++i) {
+    const double u = stream.next();
+    REQUIRE(u == again.next());
+    REQUIRE(u >= 0.0);
+    REQUIRE(u < 1.0);
+    const double next_index = other_index.next();
+    CHECK(u != next_index);
+    CHECK(u != other_pixel.next());
+    mean += u / kCount;
+    neighbours += (u - 0.5) * last / kCount;
+    indices += (u - 0.5) * (next_index - 0.5) / kCount;
+    last = u - 0.5;
+  }
+  CHECK(std::abs(mean - 0.5) < 5.0 / std::sqrt(12.0 * kCount));
+  CHECK(std::abs(neighbours) < 5.0 / (12.0 * std::sqrt(kCount)));
+  CHECK(std::abs(indices) < 5.0 / (12.0 * std::sqrt(kCount)));
+}
+
 TEST_CASE("filter offsets invert the filter's cumulative distribution") {
   for (const PixelFilter filter : {PixelFilter::box, PixelFilter::tent, PixelFilter::gaussian})
     for (double u = 0.0; u < 1.0; u += 1.0 / 4096.0) {
