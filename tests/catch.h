@@ -9,4 +9,7 @@
 using Catch::Approx;
 #else
 #include <catch2/catch.hpp> // exports Approx itself
+namespace Catch::Matchers {
+inline auto ContainsSubstring(const std::string& text) { return Contains(text); }
+} // namespace Catch::Matchers
 #endif

@@ -30,6 +30,11 @@ struct Count {
   int wrong_nesting = 0, wrong_medium = 0, missed = 0, stuck = 0, same_face = 0, gap = 0;
 };
 
+bool same(const Nesting& ascending, Nesting other) {
+  std::sort(other.begin(), other.end());
+  return std::equal(ascending.begin(), ascending.end(), other.begin(), other.end());
+}
+
 class Walker {
 public:
   Walker(const Walk& walk, const Setting& setting, std::uint64_t seed)
@@ -89,13 +94,15 @@ private:
     }
     const Vec o(state.ray.origin), d(state.ray.direction);
     const Real end = hit ? Real(hit->t) : 20 * Real(scale_);
+    const Real end_margin =
+        hit ? 4 * blur(o + end * d) / std::abs(glm::dot(Vec(hit->normal), d)) : 0;
     const MediumId medium = world_->medium_of(state.nesting);
     std::vector<Real> stops{0};
     // A line through an edge, by less than rounding, may be taken to miss.
     for (const Twin& twin : scene_.twins)
       for (const Crossing& c : twin.solid.crossings(o, d, 200 * blur(o))) {
         const Real margin = 4 * blur(o + c.t * d) / std::abs(glm::dot(c.normal, d));
-        if (c.t <= margin || c.t >= end - margin) continue;
+        if (c.t <= margin || c.t >= end - std::max(margin, end_margin)) continue;
         if (twin.solid.flat || !twin.placed.medium.valid()) ++count_.missed;
         stops.push_back(c.t);
       }
@@ -109,13 +116,11 @@ private:
         ++count_.undecided;
         continue;
       }
-      // The world reports what a ray is in just before a hit; on the way there it may have passed
-      // boundaries that do not show, but in one and the same medium.
+      // What a ray is in just before a hit is reported by the hit: on the way it may have passed
+      // boundaries that do not show, the last perhaps a rounding before the hit.
       const Nesting truth = scene_.nesting(middle);
-      Nesting ours = hit ? hit->nesting_before : state.nesting;
-      std::sort(ours.begin(), ours.end());
       const bool last = i + 1 == stops.size();
-      if (last && !std::equal(ours.begin(), ours.end(), truth.begin(), truth.end()))
+      if (last && !same(truth, state.nesting) && !(hit && same(truth, hit->nesting_before)))
         ++count_.wrong_nesting;
       if (world_->medium_of(truth) != medium) ++count_.wrong_medium;
     }
