@@ -1,8 +1,8 @@
 #include "core/develop.h"
 
-#include <fmt/format.h>
+#include "spectral/adaptation.h"
 
-#include <cmath>
+#include <fmt/format.h>
 
 namespace abbe {
 namespace {
@@ -18,12 +18,39 @@ void for_each_pixel(const PixelWindow& window, const Use& use) {
       use(x, y);
 }
 
-std::vector<float> linear_rgba(const Film& film) {
+/// As colourspaces.csv calls it.
+const char* name(SceneLinearSpace space) {
+  switch (space) {
+  case SceneLinearSpace::rec709:
+    return "rec709";
+  case SceneLinearSpace::acescg:
+    return "acescg";
+  case SceneLinearSpace::aces2065_1:
+    return "aces2065-1";
+  case SceneLinearSpace::rec2020:
+    return "rec2020";
+  }
+  return "";
+}
+
+/// From XYZ to a scene-linear space. The ACES spaces have another white than D65, which lies where
+/// (1, 1, 1) does in Rec. 709: Bradford's adaptation takes white to white, as colour pipelines that
+/// read the tags expect.
+Matrix3 matrix_to(SceneLinearSpace space) {
+  const ColorSpace target = find_color_space(name(space)).value();
+  const Matrix3 adaptation =
+      bradford_adaptation(to_xyz(kSrgbWhite, 1.0), to_xyz(target.white, 1.0));
+  return multiply(inverse(rgb_to_xyz_matrix(target.primaries, target.white)), adaptation);
+}
+
+std::vector<float> linear_rgba(const Film& film, SceneLinearSpace space) {
+  const Matrix3 to_rgb = matrix_to(space);
   std::vector<float> rgba;
   rgba.reserve(4 * film.window().pixel_count());
   for_each_pixel(film.window(), [&](int x, int y) {
-    const LinearRgb c = to_linear_srgb(film.color(x, y));
-    for (const double v : {c.r, c.g, c.b, film.alpha(x, y)})
+    const Xyz xyz = film.color(x, y);
+    const Vector3 c = multiply(to_rgb, Vector3{xyz.x, xyz.y, xyz.z});
+    for (const double v : {c[0], c[1], c[2], film.alpha(x, y)})
       rgba.push_back(static_cast<float>(v));
   });
   return rgba;
@@ -53,6 +80,16 @@ const char* name(ShadowRule rule) {
   return "";
 }
 
+const char* name(Observer observer) {
+  switch (observer) {
+  case Observer::cie1931_2deg:
+    return "2deg";
+  case Observer::cie1964_10deg:
+    return "10deg";
+  }
+  return "";
+}
+
 } // namespace
 
 Metadata render_metadata(const Plan& plan) {
@@ -60,6 +97,7 @@ Metadata render_metadata(const Plan& plan) {
   Metadata data{{"abbe/integrator", "whitted"},
                 {"abbe/bands", fmt::format("{}", s.bands)},
                 {"abbe/samples", fmt::format("{}", s.samples_per_pixel)},
+                {"abbe/observer", name(s.observer)},
                 {"abbe/seed", fmt::format("{}", s.seed)},
                 {"abbe/filter", name(s.filter)},
                 {"abbe/shadows", name(s.shadows)},
@@ -76,16 +114,17 @@ Metadata render_metadata(const Plan& plan) {
   return data;
 }
 
-SceneLinearImage develop_scene_linear(const Film& film, const Plan& plan) {
-  return {full_window(plan), film.window(), linear_rgba(film), render_metadata(plan)};
+SceneLinearImage develop_scene_linear(const Film& film, const Plan& plan, SceneLinearSpace space) {
+  return {full_window(plan), film.window(), linear_rgba(film, space), render_metadata(plan), space};
 }
 
 DisplayImage develop_display(const Film& film, const Plan& plan, const DisplaySettings& settings) {
-  DisplayImage image{full_window(plan), film.window(), {}, {}, render_metadata(plan)};
-  const double gain = std::exp2(settings.exposure_ev);
+  DisplayImage image{full_window(plan),     film.window(),        {}, {},
+                     render_metadata(plan), encoding_of(settings)};
+  const DisplayTransform transform(settings, plan.settings.observer);
   for_each_pixel(film.window(), [&](int x, int y) {
-    const LinearRgb c = map_to_gamut(to_linear_srgb(film.color(x, y) * gain), settings.gamut);
-    const DisplayRgb e = encode_srgb(c);
+    const LinearRgb c = transform.linear(film.color(x, y));
+    const DisplayRgb e = transform.encoded(c);
     for (const double v : {c.r, c.g, c.b})
       image.linear.push_back(static_cast<float>(v));
     for (const double v : {e.r, e.g, e.b})
@@ -95,8 +134,9 @@ DisplayImage develop_display(const Film& film, const Plan& plan, const DisplaySe
 }
 
 SpectralImage develop_spectral(const Film& film, const Plan& plan) {
-  SpectralImage image{full_window(plan), film.window(),        {}, {},
-                      linear_rgba(film), render_metadata(plan)};
+  SpectralImage image{
+      full_window(plan),    film.window(), {}, {}, linear_rgba(film, SceneLinearSpace::rec709),
+      render_metadata(plan)};
   image.values.reserve(film.window().pixel_count() * static_cast<std::size_t>(film.bands()));
   for (int b = 0; b < film.bands(); ++b) {
     image.wavelengths_nm.push_back(plan.grid.center_nm(b));

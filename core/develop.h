@@ -1,18 +1,15 @@
 #pragma once
 
+#include "core/display.h"
 #include "core/film.h"
 #include "core/plan.h"
-#include "spectral/gamut.h"
 
 namespace abbe {
 
-/// How a picture is prepared for a screen. None of it touches scene-linear or spectral images.
-struct DisplaySettings {
-  double exposure_ev = 0.0; ///< brightness is multiplied by 2^exposure
-  GamutMapping gamut = GamutMapping::desaturate;
-};
-
-[[nodiscard]] SceneLinearImage develop_scene_linear(const Film& film, const Plan& plan);
+[[nodiscard]] SceneLinearImage
+develop_scene_linear(const Film& film, const Plan& plan,
+                     SceneLinearSpace space = SceneLinearSpace::rec709);
+/// Throws std::invalid_argument for a white point that cannot be white.
 [[nodiscard]] DisplayImage develop_display(const Film& film, const Plan& plan,
                                            const DisplaySettings& settings);
 /// The film must keep bands.

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "core/display.h"
+
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,23 +25,29 @@ struct PixelWindow {
 /// Text that travels with a picture: names and values in the order they are written.
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
-/// Scene-linear picture, Rec. 709 primaries, unclipped (negative values are out of gamut, not
-/// wrong), associated alpha. Channels are interleaved R, G, B, A, rows from the top of `data`.
+/// Primaries and white of a scene-linear picture.
+enum class SceneLinearSpace : std::uint8_t { rec709, acescg, aces2065_1, rec2020 };
+
+/// Scene-linear picture, Rec. 709 primaries unless `space` says otherwise, unclipped (negative
+/// values are out of gamut, not wrong), associated alpha. Channels are interleaved R, G, B, A, rows
+/// from the top of `data`.
 struct SceneLinearImage {
   PixelWindow display; ///< the full frame
   PixelWindow data;    ///< the part that was rendered; smaller than `display` for a crop
   std::vector<float> rgba;
   Metadata metadata;
+  SceneLinearSpace space = SceneLinearSpace::rec709;
 };
 
-/// Picture for a screen: exposed, brought into the sRGB gamut. Both encodings of the same pixels
-/// are kept: `encoded` has the sRGB transfer function, `linear` has not. Interleaved R, G, B in
+/// Picture for a screen: exposed, brought into its gamut. Both encodings of the same pixels are
+/// kept: `encoded` has the screen's transfer function, `linear` has not. Interleaved R, G, B in
 /// [0, 1], no alpha, rows from the top of `data`.
 struct DisplayImage {
   PixelWindow display, data;
   std::vector<float> encoded;
   std::vector<float> linear;
   Metadata metadata;
+  DisplayEncoding encoding = {};
 };
 
 /// Mean spectral radiance of each band. Planes are band-major: values[band * pixels + pixel].

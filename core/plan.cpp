@@ -46,7 +46,7 @@ private:
     AccumulatorPlan accumulator;
     for (auto* axis : {&accumulator.x, &accumulator.y, &accumulator.z})
       axis->resize(plan_.stride);
-    const auto weights = band_weights(plan_.grid, spectrum);
+    const auto weights = band_weights(plan_.grid, spectrum, plan_.settings.observer);
     for (std::size_t b = 0; b < weights.size(); ++b) {
       accumulator.x[b] = static_cast<float>(weights[b].x);
       accumulator.y[b] = static_cast<float>(weights[b].y);
@@ -184,7 +184,7 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
         fmt::format("the crop {},{},{},{} is not a part of the {} x {} image", plan.window.x0,
                     plan.window.y0, plan.window.x1, plan.window.y1, full.x1, full.y1));
   plan.tiles = make_tiles(scene, plan.window, settings);
-  plan.quantum = film_quantum(scene, plan.grid);
+  plan.quantum = film_quantum(scene, plan.grid, settings.observer);
   note_content(scene, plan);
   return plan;
 }

@@ -30,10 +30,10 @@ double scene_size(const Scene& scene) {
 
 } // namespace
 
-double film_quantum(const Scene& scene, const BandGrid& grid) {
+double film_quantum(const Scene& scene, const BandGrid& grid, Observer observer) {
   const auto brightness = [&](const Curve& spectrum) { // a line at the eye's limits has little Y
     const auto means = band_means(grid, spectrum);
-    return std::max(to_xyz(spectrum).y, *std::max_element(means.begin(), means.end()));
+    return std::max(to_xyz(spectrum, observer).y, *std::max_element(means.begin(), means.end()));
   };
   double brightest = std::max(brightness(scene.background), brightness(scene.global_ambient));
   const double way = scene_size(scene) / 16.0;

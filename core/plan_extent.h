@@ -8,6 +8,6 @@ namespace abbe {
 /// The quantum of the film's sums: a power of two that is small against anything the scene can
 /// show: 2^-36 of its brightest source. Lamps whose light falls off count at a sixteenth of the
 /// scene's size. Sums then hold 2^27 times the brightest source.
-[[nodiscard]] double film_quantum(const Scene& scene, const BandGrid& grid);
+[[nodiscard]] double film_quantum(const Scene& scene, const BandGrid& grid, Observer observer);
 
 } // namespace abbe

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/display.h"
 #include "core/lights/light.h"
 #include "core/materials/material.h"
 #include "core/settings.h"
@@ -24,6 +25,7 @@ struct Scene {
   std::string title; ///< the file's name without folder and extension
   Camera camera;
   RenderSettings settings;
+  DisplaySettings display;
   double mm_per_unit = 1.0; ///< length of one scene unit
 
   std::vector<PlacedShape> shapes;

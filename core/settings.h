@@ -2,6 +2,7 @@
 
 #include "core/image.h"
 #include "geometry/world.h"
+#include "spectral/observer.h"
 
 #include <cstdint>
 #include <optional>
@@ -25,6 +26,7 @@ struct RenderSettings {
   int width = 512, height = 512;
   std::optional<PixelWindow> crop; ///< only these pixels are rendered
   int bands = 81;
+  Observer observer = Observer::cie1931_2deg; ///< whose eye makes colours of the bands
   int samples_per_pixel = 16;
   std::uint64_t seed = 0;
   Integrator integrator = Integrator::whitted;

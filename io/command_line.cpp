@@ -16,6 +16,12 @@
 namespace abbe {
 namespace {
 
+const std::map<std::string, SceneLinearSpace> kExrSpaces{
+    {"rec709", SceneLinearSpace::rec709},
+    {"acescg", SceneLinearSpace::acescg},
+    {"aces2065-1", SceneLinearSpace::aces2065_1},
+    {"rec2020", SceneLinearSpace::rec2020}};
+
 template <class T>
 void replace(T& setting, const std::optional<T>& given) {
   if (given) setting = *given;
@@ -79,6 +85,9 @@ void add_settings(CLI::App& app, SettingsOverride& s) {
   const std::map<std::string, bool> on_off{{"on", true}, {"off", false}};
   app.add_option("--bands", s.bands, "Wavelength bands, 1 to 405 (default 81)")
       ->check(CLI::Range(1, 405));
+  add_choice<Observer>(app, "--observer", s.observer,
+                       {{"2", Observer::cie1931_2deg}, {"10", Observer::cie1964_10deg}},
+                       "CIE observer: 1931 of 2 degrees or 1964 of 10 degrees (default 2)");
   app.add_option("--spp", s.samples_per_pixel, "Samples per pixel (default 16)")
       ->check(CLI::Range(1, 1 << 24));
   app.add_option_function<std::string>(
@@ -138,6 +147,47 @@ void add_settings(CLI::App& app, SettingsOverride& s) {
                       "How rays are handed to Embree; the picture is the same (default packets)");
 }
 
+/// A reader of words that may fail, as an option.
+template <class T, class Read>
+void add_word(CLI::App& app, const std::string& name, const std::string& type, T& target, Read read,
+              const std::string& right, const std::string& help) {
+  app.add_option_function<std::string>(
+         name,
+         [&target, read, right](const std::string& text) {
+           auto value = read(text);
+           if (!value) throw CLI::ValidationError(fmt::format("\"{}\" is not {}", text, right));
+           target = std::move(*value);
+         },
+         help)
+      ->type_name(type);
+}
+
+void add_display(CLI::App& app, DisplayOverride& display) {
+  app.add_option("--exposure", display.exposure_ev, "Exposure of TIFF and PNG in stops (default 0)")
+      ->check(number_from(-64.0, 64.0))
+      ->type_name("EV");
+  add_choice<GamutMapping>(app, "--gamut", display.gamut,
+                           {{"clip", GamutMapping::clip},
+                            {"scale", GamutMapping::scale},
+                            {"desaturate", GamutMapping::desaturate}},
+                           "How TIFF and PNG treat colours that the display cannot show (default "
+                           "desaturate)");
+  add_word(app, "--display", "NAME", display.space, find_color_space,
+           fmt::format("a display: {}", fmt::join(color_space_names(), ", ")),
+           fmt::format("Colour space of TIFF and PNG (default srgb): {}",
+                       fmt::join(color_space_names(), ", ")));
+  add_word(app, "--transfer", "NAME|GAMMA", display.transfer, find_transfer,
+           fmt::format("a transfer function: {}, or a gamma from 0.1 to 10",
+                       fmt::join(transfer_names(), ", ")),
+           fmt::format("Transfer function of TIFF and PNG (default: that of the display): {}, or a "
+                       "gamma",
+                       fmt::join(transfer_names(), ", ")));
+  add_word(app, "--white-point", "NAME|x,y", display.white_point, parse_white_point,
+           "a white point: an illuminant such as D50, x,y such as 0.3457,0.3585, or none",
+           "Light that TIFF and PNG show as white: an illuminant, or x,y (default none: what is, "
+           "is shown)");
+}
+
 void add_outputs(CLI::App& app, Options& options) {
   app.add_option("-o,--output", options.outputs,
                  "Picture to write (" + known_image_extensions() +
@@ -145,18 +195,13 @@ void add_outputs(CLI::App& app, Options& options) {
       ->type_name("FILE");
   app.add_option("--spectral", options.spectral_output, "Write all bands into one EXR")
       ->type_name("FILE");
-  app.add_option("--exposure", options.display.exposure_ev,
-                 "Exposure of TIFF and PNG in stops (default 0)")
-      ->check(number_from(-64.0, 64.0))
-      ->type_name("EV");
+  add_display(app, options.display);
   app.add_option_function<std::string>(
-         "--gamut",
-         [&options](const std::string& word) {
-           options.display.gamut = word == "clip" ? GamutMapping::clip : GamutMapping::desaturate;
-         },
-         "How TIFF and PNG treat colours no screen shows (default desaturate)")
-      ->check(CLI::IsMember({"clip", "desaturate"}))
-      ->type_name("clip|desaturate");
+         "--exr-space",
+         [&options](const std::string& word) { options.output.exr_space = kExrSpaces.at(word); },
+         "Primaries and white of EXR (default rec709); the spectral EXR's preview stays rec709")
+      ->check(CLI::IsMember({"rec709", "acescg", "aces2065-1", "rec2020"}))
+      ->type_name("rec709|acescg|aces2065-1|rec2020");
   app.add_option_function<std::string>(
          "--exr-pixel",
          [&options](const std::string& word) {
@@ -201,7 +246,17 @@ RenderSettings overridden(RenderSettings s, const SettingsOverride& given) {
   replace(s.jitter, given.jitter);
   replace(s.skip, given.skip);
   replace(s.tracing, given.tracing);
+  replace(s.observer, given.observer);
   if (given.crop) s.crop = given.crop;
+  return s;
+}
+
+DisplaySettings overridden(DisplaySettings s, const DisplayOverride& given) {
+  replace(s.exposure_ev, given.exposure_ev);
+  replace(s.gamut, given.gamut);
+  replace(s.space, given.space);
+  if (given.transfer) s.transfer = given.transfer;
+  replace(s.white_point, given.white_point);
   return s;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/develop.h"
 #include "core/scene.h"
+#include "io/read_display.h"
 #include "io/write_image.h"
 
 #include <filesystem>
@@ -20,12 +20,23 @@ struct SettingsOverride {
   std::optional<Integrator> integrator;
   std::optional<PixelFilter> filter;
   std::optional<ShadowRule> shadows;
+  std::optional<Observer> observer;
   std::optional<bool> exact, jitter, skip;
   std::optional<Tracing> tracing;
 };
 
+/// The same for screens. A white point without a value takes the scene's away.
+struct DisplayOverride {
+  std::optional<double> exposure_ev;
+  std::optional<GamutMapping> gamut;
+  std::optional<ColorSpace> space;
+  std::optional<TransferFunction> transfer;
+  std::optional<std::optional<WhitePoint>> white_point;
+};
+
 /// The scene's settings with those of the command line in their place.
 [[nodiscard]] RenderSettings overridden(RenderSettings scene, const SettingsOverride& given);
+[[nodiscard]] DisplaySettings overridden(DisplaySettings scene, const DisplayOverride& given);
 
 enum class Command { render, plan, list, done };
 
@@ -36,7 +47,7 @@ struct Options {
   int exit_code = 0;
   std::filesystem::path scene_path;
   SettingsOverride settings;
-  DisplaySettings display;
+  DisplayOverride display;
   OutputOptions output;
   std::vector<std::filesystem::path> outputs; ///< empty: NAME.exr and NAME.tiff
   std::optional<std::filesystem::path> spectral_output;

@@ -21,7 +21,7 @@ struct FreeText {
   void operator()(cmsMLU* text) const { cmsMLUfree(text); }
 };
 using Profile = std::unique_ptr<void, CloseProfile>;
-using Curve = std::unique_ptr<cmsToneCurve, FreeCurve>;
+using ToneCurve = std::unique_ptr<cmsToneCurve, FreeCurve>;
 using Text = std::unique_ptr<cmsMLU, FreeText>;
 
 template <class Condition>
@@ -29,10 +29,16 @@ void require(const Condition& condition) {
   if (!condition) throw std::runtime_error("Little CMS cannot make an ICC profile");
 }
 
-/// Y = ((X + 0.055) / 1.055)^2.4 for X >= 0.04045, else X / 12.92. (source: IEC99)
-Curve srgb_curve() {
-  const std::array<double, 5> parameters = {2.4, 1.0 / 1.055, 0.055 / 1.055, 1.0 / 12.92, 0.04045};
-  return Curve(cmsBuildParametricToneCurve(nullptr, 4, parameters.data()));
+/// ICC's parametric curve of type 3 is our form (Little CMS counts types from 1); a plain power is
+/// its type 0. (source: ICC2010, 10.15)
+ToneCurve tone_curve(const TransferFunction& t) {
+  if (t.knee == 0.0) return ToneCurve(cmsBuildGamma(nullptr, t.exponent));
+  const std::array<double, 5> parameters = {t.exponent, t.scale, t.offset, t.slope, t.knee};
+  return ToneCurve(cmsBuildParametricToneCurve(nullptr, 4, parameters.data()));
+}
+
+cmsCIExyY xyy(const Chromaticity& c) {
+  return {c.x, c.y, 1.0};
 }
 
 /// Replaces what would differ from call to call or between systems. (source: ICC2010, 7.2)
@@ -49,18 +55,29 @@ void fix_header(std::vector<std::byte>& profile) {
   std::ranges::fill(header.subspan(84, 16), std::byte{0}); // profile id
 }
 
-std::vector<std::byte> make_profile(const char* description, const Curve& curve) {
+} // namespace
+
+std::string profile_name(const DisplayEncoding& encoding) {
+  const std::string space = encoding.space == srgb_space() ? "sRGB" : encoding.space.name;
+  const TransferFunction& transfer = encoding.transfer;
+  if (transfer == encoding.space.transfer) return space;
+  if (transfer == linear_transfer()) return "linear " + space;
+  return space + ", " + (transfer.knee == 0.0 ? "gamma " : "") + transfer.name;
+}
+
+std::vector<std::byte> icc_profile(const DisplayEncoding& encoding) {
+  const ToneCurve curve = tone_curve(encoding.transfer);
   require(curve);
-  // Chromaticities of the primaries and of D65. (source: IEC99)
-  const cmsCIExyY white = {0.3127, 0.3290, 1.0};
-  const cmsCIExyYTRIPLE primaries = {{0.64, 0.33, 1.0}, {0.30, 0.60, 1.0}, {0.15, 0.06, 1.0}};
+  const RgbPrimaries& p = encoding.space.primaries;
+  const cmsCIExyY white = xyy(encoding.space.white);
+  const cmsCIExyYTRIPLE primaries = {xyy(p.red), xyy(p.green), xyy(p.blue)};
   const std::array<cmsToneCurve*, 3> curves = {curve.get(), curve.get(), curve.get()};
   const Profile profile(cmsCreateRGBProfile(&white, &primaries, curves.data()));
   require(profile);
   cmsSetProfileVersion(profile.get(), 4.3);
   const Text text(cmsMLUalloc(nullptr, 1));
   require(text);
-  require(cmsMLUsetASCII(text.get(), "en", "US", description));
+  require(cmsMLUsetASCII(text.get(), "en", "US", profile_name(encoding).c_str()));
   require(cmsWriteTag(profile.get(), cmsSigProfileDescriptionTag, text.get()));
 
   cmsUInt32Number size = 0;
@@ -69,16 +86,6 @@ std::vector<std::byte> make_profile(const char* description, const Curve& curve)
   require(cmsSaveProfileToMem(profile.get(), bytes.data(), &size));
   fix_header(bytes);
   return bytes;
-}
-
-} // namespace
-
-std::vector<std::byte> srgb_profile() {
-  return make_profile("sRGB", srgb_curve());
-}
-
-std::vector<std::byte> linear_srgb_profile() {
-  return make_profile("linear sRGB", Curve(cmsBuildGamma(nullptr, 1.0)));
 }
 
 } // namespace abbe

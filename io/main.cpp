@@ -67,9 +67,10 @@ void check_outputs(const std::vector<fs::path>& outputs, const std::optional<fs:
 }
 
 void write_outputs(const Rendering& rendering, const Plan& plan, const Options& options,
-                   const std::vector<fs::path>& outputs) {
-  const SceneLinearImage scene_linear = develop_scene_linear(rendering.film, plan);
-  const DisplayImage display = develop_display(rendering.film, plan, options.display);
+                   const DisplaySettings& display_settings, const std::vector<fs::path>& outputs) {
+  const SceneLinearImage scene_linear =
+      develop_scene_linear(rendering.film, plan, options.output.exr_space);
+  const DisplayImage display = develop_display(rendering.film, plan, display_settings);
   for (const fs::path& path : outputs) {
     write_image(path, scene_linear, display, options.output);
     if (!options.quiet) fmt::print("wrote {}\n", path.string());
@@ -99,11 +100,12 @@ int render_command(const Options& options) {
 
   if (!rendering.complete) {
     const fs::path partial = fs::path(outputs.front()).replace_extension(".partial.exr");
-    write_image(partial, develop_scene_linear(rendering.film, plan), {}, options.output);
+    write_image(partial, develop_scene_linear(rendering.film, plan, options.output.exr_space), {},
+                options.output);
     fmt::print(stderr, "interrupted: what was done is in {}\n", partial.string());
     return kExitInterrupted;
   }
-  write_outputs(rendering, plan, options, outputs);
+  write_outputs(rendering, plan, options, overridden(scene.display, options.display), outputs);
   return 0;
 }
 

@@ -34,8 +34,8 @@ const std::vector<SceneKeyword>& all_keywords() {
   static const std::vector<SceneKeyword> list = [] {
     std::vector<SceneKeyword> rows;
     for (const auto& table :
-         {setting_keywords(), camera_keywords(), transform_keywords(), material_keywords(),
-          light_keywords(), shape_keywords(), boolean_keywords()})
+         {setting_keywords(), display_keywords(), camera_keywords(), transform_keywords(),
+          material_keywords(), light_keywords(), shape_keywords(), boolean_keywords()})
       rows.insert(rows.end(), table.begin(), table.end());
     return rows;
   }();

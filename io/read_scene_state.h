@@ -74,6 +74,7 @@ struct SceneKeyword {
 };
 
 [[nodiscard]] std::span<const SceneKeyword> setting_keywords();
+[[nodiscard]] std::span<const SceneKeyword> display_keywords();
 [[nodiscard]] std::span<const SceneKeyword> camera_keywords();
 [[nodiscard]] std::span<const SceneKeyword> transform_keywords();
 [[nodiscard]] std::span<const SceneKeyword> material_keywords();

@@ -32,14 +32,29 @@ Imath::Box2i inclusive(const PixelWindow& window) {
   return {{window.x0, window.y0}, {window.x1 - 1, window.y1 - 1}};
 }
 
+/// (source: ColorInterop2026)
+const char* interop_id(SceneLinearSpace space) {
+  switch (space) {
+  case SceneLinearSpace::rec709:
+    return "lin_rec709_scene";
+  case SceneLinearSpace::acescg:
+    return "lin_ap1_scene";
+  case SceneLinearSpace::aces2065_1:
+    return "lin_ap0_scene";
+  case SceneLinearSpace::rec2020:
+    return "lin_rec2020_scene";
+  }
+  return "unknown";
+}
+
 Imf::Header make_header(const PixelWindow& display, const PixelWindow& data,
-                        const Metadata& metadata) {
+                        const Metadata& metadata, SceneLinearSpace space) {
   Imf::Header header(inclusive(display), inclusive(data));
   header.compression() = Imf::ZIP_COMPRESSION;
   for (const auto& [name, value] : metadata)
     header.insert(name, Imf::StringAttribute(value));
   // The tag replaces `chromaticities`, which must not stand beside it. (source: ColorInterop2026)
-  header.insert("colorInteropID", Imf::StringAttribute("lin_rec709_scene"));
+  header.insert("colorInteropID", Imf::StringAttribute(interop_id(space)));
   return header;
 }
 
@@ -120,7 +135,7 @@ std::string spectral_channel_name(double wavelength_nm) {
 void write_exr(const std::filesystem::path& path, const SceneLinearImage& image, ExrPixel pixel) {
   replace_file(path, [&](const std::filesystem::path& temporary) {
     require_pixels(image.display, image.data, image.rgba.size(), 4);
-    Imf::Header header = make_header(image.display, image.data, image.metadata);
+    Imf::Header header = make_header(image.display, image.data, image.metadata, image.space);
     Channels channels{header, {}};
     std::vector<Imath::half> halves;
     switch (pixel) {
@@ -140,7 +155,8 @@ void write_spectral_exr(const std::filesystem::path& path, const SpectralImage& 
   replace_file(path, [&](const std::filesystem::path& temporary) {
     require_pixels(image.display, image.data, image.rgba.size(), 4);
     require_pixels(image.display, image.data, image.values.size(), image.wavelengths_nm.size());
-    Imf::Header header = make_header(image.display, image.data, image.metadata);
+    Imf::Header header =
+        make_header(image.display, image.data, image.metadata, SceneLinearSpace::rec709);
     header.insert("spectralLayoutVersion", Imf::StringAttribute("1.0"));
     header.insert("emissiveUnits", Imf::StringAttribute("W.m^-2.sr^-1"));
     header.insert("EV", Imf::FloatAttribute(0.0f));

@@ -10,10 +10,10 @@ namespace abbe {
 /// its range become +-65504 instead of infinity. `single`: 32 bits, as computed.
 enum class ExrPixel { half, single };
 
-/// Writes channels R, G, B, A with `colorInteropID` "lin_rec709_scene", data window inside display
-/// window for a crop, and the metadata as string attributes. Values are neither clipped nor
-/// exposed; NaN and infinity are written as they are.
-/// Errors: `std::runtime_error`, see `replace_file`; the old file is kept.
+/// Writes channels R, G, B, A with the `colorInteropID` of its space ("lin_rec709_scene"), data
+/// window inside display window for a crop, and the metadata as string attributes. Values are
+/// neither clipped nor exposed; NaN and infinity are written as they are. Errors:
+/// `std::runtime_error`, see `replace_file`; the old file is kept.
 void write_exr(const std::filesystem::path& path, const SceneLinearImage& image, ExrPixel pixel);
 
 /// Writes all bands in the "OpenEXR Layout for Spectral Images" 1.0: 32-bit channels

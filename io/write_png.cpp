@@ -1,6 +1,7 @@
 #include "io/write_png.h"
 
 #include "io/atomic_file.h"
+#include "io/icc_profile.h"
 #include "io/write_pixels.h"
 
 #include <fmt/format.h>
@@ -65,6 +66,8 @@ struct PngPicture {
   int bits;
   png_const_bytep bytes;
   std::vector<png_text> texts;
+  std::string profile_name;
+  std::vector<std::byte> profile; ///< empty: sRGB
 };
 
 bool is_ascii(const std::string& text) {
@@ -94,7 +97,12 @@ bool encode(png_structp png, png_infop info, std::FILE* file, const PngPicture& 
   png_init_io(png, file);
   png_set_IHDR(png, info, width, height, picture.bits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
+  if (picture.profile.empty())
+    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
+  else
+    png_set_iCCP(png, info, picture.profile_name.c_str(), PNG_COMPRESSION_TYPE_BASE,
+                 reinterpret_cast<png_const_bytep>(picture.profile.data()),
+                 static_cast<png_uint_32>(picture.profile.size()));
   if (picture.data != picture.display)
     png_set_oFFs(png, info, picture.data.x0 - picture.display.x0,
                  picture.data.y0 - picture.display.y0, PNG_OFFSET_PIXEL);
@@ -111,9 +119,14 @@ bool encode(png_structp png, png_infop info, std::FILE* file, const PngPicture& 
 template <class Code>
 void save(const std::filesystem::path& path, const DisplayImage& image) {
   const std::vector<Code> codes = code_values<Code>(image.encoded);
-  const PngPicture picture{image.display, image.data, 8 * sizeof(Code),
+  const PngPicture picture{image.display,
+                           image.data,
+                           8 * sizeof(Code),
                            reinterpret_cast<png_const_bytep>(codes.data()),
-                           text_entries(image.metadata)};
+                           text_entries(image.metadata),
+                           profile_name(image.encoding),
+                           image.encoding == DisplayEncoding{} ? std::vector<std::byte>{}
+                                                               : icc_profile(image.encoding)};
   File file(std::fopen(path.c_str(), "wb"));
   if (!file) throw std::system_error(errno, std::generic_category());
   PngError error;

@@ -142,7 +142,7 @@ void save_integers(const std::filesystem::path& path, const DisplayImage& image)
   require_pixels(image.display, image.data, image.encoded.size(), 3);
   const std::vector<Code> codes = code_values<Code>(image.encoded);
   save(path, image,
-       {8 * sizeof(Code), SAMPLEFORMAT_UINT, PREDICTOR_HORIZONTAL, srgb_profile(),
+       {8 * sizeof(Code), SAMPLEFORMAT_UINT, PREDICTOR_HORIZONTAL, icc_profile(image.encoding),
         reinterpret_cast<const std::byte*>(codes.data())});
 }
 
@@ -150,7 +150,8 @@ void save_floats(const std::filesystem::path& path, const DisplayImage& image) {
   require_pixels(image.display, image.data, image.linear.size(), 3);
   // No floating-point predictor: some readers reject it.
   save(path, image,
-       {32, SAMPLEFORMAT_IEEEFP, PREDICTOR_NONE, linear_srgb_profile(),
+       {32, SAMPLEFORMAT_IEEEFP, PREDICTOR_NONE,
+        icc_profile({image.encoding.space, linear_transfer()}),
         reinterpret_cast<const std::byte*>(image.linear.data())});
 }
 

@@ -1,6 +1,5 @@
 #include "spectral/color.h"
 
-#include <cmath>
 #include <stdexcept>
 
 namespace abbe {
@@ -14,21 +13,6 @@ const Matrix3& srgb_to_xyz() {
 const Matrix3& xyz_to_srgb() {
   static const Matrix3 matrix = inverse(srgb_to_xyz());
   return matrix;
-}
-
-// [IEC99]: a straight line near black, then a power, which meet at 0.0031308.
-double encode(double linear) {
-  const double magnitude = std::abs(linear);
-  const double code =
-      magnitude <= 0.0031308 ? 12.92 * magnitude : 1.055 * std::pow(magnitude, 1.0 / 2.4) - 0.055;
-  return std::copysign(code, linear);
-}
-
-double decode(double code) {
-  const double magnitude = std::abs(code);
-  const double linear =
-      magnitude <= 0.04045 ? magnitude / 12.92 : std::pow((magnitude + 0.055) / 1.055, 2.4);
-  return std::copysign(linear, code);
 }
 
 } // namespace
@@ -67,12 +51,21 @@ double luminance(const LinearRgb& color) {
   return to_xyz(color).y;
 }
 
+const Vector3& srgb_luminance_weights() {
+  return srgb_to_xyz()[1];
+}
+
 DisplayRgb encode_srgb(const LinearRgb& color) {
-  return {encode(color.r), encode(color.g), encode(color.b)};
+  return encode(srgb_transfer(), color);
 }
 
 LinearRgb decode_srgb(const DisplayRgb& color) {
-  return {decode(color.r), decode(color.g), decode(color.b)};
+  return {decode(srgb_transfer(), color.r), decode(srgb_transfer(), color.g),
+          decode(srgb_transfer(), color.b)};
+}
+
+DisplayRgb encode(const TransferFunction& transfer, const LinearRgb& color) {
+  return {encode(transfer, color.r), encode(transfer, color.g), encode(transfer, color.b)};
 }
 
 } // namespace abbe

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "spectral/matrix3.h"
+#include "spectral/transfer.h"
 
 namespace abbe {
 
@@ -19,7 +20,8 @@ struct Xyz {
   constexpr Xyz& operator+=(const Xyz& other) { return *this = *this + other; }
 };
 
-/// Linear light in the sRGB (Rec. 709) primaries; not limited to 0..1.
+/// Linear light in the primaries of sRGB (Rec. 709), or of a display where one is named; not
+/// limited to 0..1.
 struct LinearRgb {
   double r = 0.0;
   double g = 0.0;
@@ -27,7 +29,7 @@ struct LinearRgb {
   friend bool operator==(const LinearRgb&, const LinearRgb&) = default;
 };
 
-/// sRGB code values as fractions of full scale, with the transfer curve applied.
+/// Code values of a display as fractions of full scale, with its transfer function applied.
 struct DisplayRgb {
   double r = 0.0;
   double g = 0.0;
@@ -71,10 +73,15 @@ inline constexpr Chromaticity kSrgbWhite{0.3127, 0.3290};
 
 /// Y of a linear sRGB colour.
 [[nodiscard]] double luminance(const LinearRgb& color);
+/// The parts of r, g and b in Y; they sum to 1.
+[[nodiscard]] const Vector3& srgb_luminance_weights();
 
 /// The sRGB transfer curve [IEC99] per component, and its inverse. Both are odd functions, so that
 /// negative components survive the way there and back; values above 1 follow the power law.
 [[nodiscard]] DisplayRgb encode_srgb(const LinearRgb& color);
 [[nodiscard]] LinearRgb decode_srgb(const DisplayRgb& color);
+
+/// A transfer function per component.
+[[nodiscard]] DisplayRgb encode(const TransferFunction& transfer, const LinearRgb& color);
 
 } // namespace abbe

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "spectral/color.h"
+#include "spectral/transfer.h"
 
 #include <optional>
 #include <string>
@@ -14,13 +15,22 @@ struct ColorSpace {
   std::string name;
   RgbPrimaries primaries;
   Chromaticity white;
-  std::string standard; ///< the document that defines it
+  std::string standard;                 ///< the document that defines it
+  std::vector<std::string> short_names; ///< what commands and scenes call it
+  TransferFunction transfer;            ///< what its code values mean unless another is chosen
+  friend bool operator==(const ColorSpace&, const ColorSpace&) = default;
 };
 
 /// The spaces of spectral/data/colourspaces.csv, in its order.
 [[nodiscard]] const std::vector<ColorSpace>& color_spaces();
 
-/// The space of this name, in upper or lower case. Empty for an unknown name.
+/// The space of this name or short name, in upper or lower case. Empty for an unknown name.
 [[nodiscard]] std::optional<ColorSpace> find_color_space(std::string_view name);
+
+/// The short names, in the table's order.
+[[nodiscard]] std::vector<std::string> color_space_names();
+
+/// The space of ordinary screens.
+[[nodiscard]] const ColorSpace& srgb_space();
 
 } // namespace abbe

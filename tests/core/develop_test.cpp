@@ -113,9 +113,10 @@ TEST_CASE("metadata name every setting that shapes the picture and nothing of th
         std::set<std::string>{"abbe/integrator", "abbe/bands", "abbe/samples", "abbe/seed",
                               "abbe/filter", "abbe/shadows", "abbe/depth", "abbe/minThroughput",
                               "abbe/minReflectivity", "abbe/minTransparency", "abbe/jitter",
-                              "abbe/exact", "abbe/tolerance", "abbe/maxFan"});
+                              "abbe/exact", "abbe/observer", "abbe/tolerance", "abbe/maxFan"});
   const auto tells = [&](auto change) { return metadata(change) != plain; };
   CHECK(tells([](RenderSettings& s) { s.bands = 80; }));
+  CHECK(tells([](RenderSettings& s) { s.observer = Observer::cie1964_10deg; }));
   CHECK(tells([](RenderSettings& s) { s.samples_per_pixel = 3; }));
   CHECK(tells([](RenderSettings& s) { s.seed = 3; }));
   CHECK(tells([](RenderSettings& s) { s.filter = PixelFilter::tent; }));

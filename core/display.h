@@ -1,0 +1,56 @@
+#pragma once
+
+#include "spectral/color_space.h"
+#include "spectral/curve.h"
+#include "spectral/gamut.h"
+#include "spectral/observer.h"
+
+#include <optional>
+
+namespace abbe {
+
+/// What shall look white. A light's chromaticity is another for each observer.
+struct WhitePoint {
+  Chromaticity cie1931_2deg, cie1964_10deg;
+
+  [[nodiscard]] static WhitePoint of_light(const Curve& spectrum);
+  [[nodiscard]] static WhitePoint at(const Chromaticity& c) { return {c, c}; }
+  friend bool operator==(const WhitePoint&, const WhitePoint&) = default;
+};
+
+/// How a picture is prepared for a screen. None of it touches scene-linear or spectral images.
+struct DisplaySettings {
+  double exposure_ev = 0.0; ///< brightness is multiplied by 2^exposure
+  GamutMapping gamut = GamutMapping::desaturate;
+  ColorSpace space = srgb_space();
+  std::optional<TransferFunction> transfer = std::nullopt; ///< empty: that of the space
+  std::optional<WhitePoint> white_point = std::nullopt;    ///< empty: what is, is shown
+};
+
+/// What the numbers of a picture for a screen mean; it goes into the file's colour profile.
+struct DisplayEncoding {
+  ColorSpace space = srgb_space();
+  TransferFunction transfer = srgb_transfer();
+  friend bool operator==(const DisplayEncoding&, const DisplayEncoding&) = default;
+};
+
+[[nodiscard]] DisplayEncoding encoding_of(const DisplaySettings& settings);
+
+/// Takes colours to a display: exposure, adaptation, matrix, gamut, transfer function.
+class DisplayTransform {
+public:
+  /// Throws std::invalid_argument for a white point that cannot be white.
+  DisplayTransform(const DisplaySettings& settings, Observer observer);
+
+  /// Linear light of the display's primaries, in gamut.
+  [[nodiscard]] LinearRgb linear(const Xyz& color) const;
+  [[nodiscard]] DisplayRgb encoded(const LinearRgb& linear) const;
+
+private:
+  GamutMapping gamut_;
+  TransferFunction transfer_;
+  Matrix3 to_rgb_;
+  Vector3 luminance_weights_;
+};
+
+} // namespace abbe
