@@ -64,8 +64,7 @@ void list_materials(const Options& options) {
   for (const LibraryMaterial& m : read_materials(*path, print_warning))
     fmt::print("{:<24} {:>7.3f} {:>7.3f} {:>7.3f} {:>7.3f} {:>7.3f} {:>7.3f}  {}\n", m.name,
                m.ambient, m.diffuse, m.specular, m.reflectivity, m.transparency,
-               m.glass ? refractive_index(m.glass->dispersion, kLineD_nm) : m.speed_of_light,
-               path->string());
+               refractive_index(filling(m).index, kLineD_nm), path->string());
 }
 
 } // namespace

@@ -14,8 +14,11 @@
 
 #include "io/read_materials.h"
 
+#include "io/read_dispersion.h"
 #include "io/read_glass.h"
 #include "io/read_library.h"
+
+#include <fmt/format.h>
 
 #include <array>
 #include <span>
@@ -39,7 +42,21 @@ void set_fraction(LibraryMaterial& entry, Arguments& arguments, const Warn&) {
   entry.*member = arguments.number(kFraction);
 }
 
-constexpr std::array<LibraryKey<LibraryMaterial>, 13> kKeys{{
+/// An entry has one index that takes the place of speedOfLight and Vnum.
+void refuse_second_index(const LibraryMaterial& entry, const Arguments& arguments) {
+  if (!entry.glass && !entry.law) return;
+  throw ReadError(arguments.keyword().where,
+                  fmt::format("{} is a second index of this entry", arguments.name()),
+                  "one law gives n at every wavelength", "Remove one of them");
+}
+
+template <Dispersion (*read_law)(Arguments&, const Warn&)>
+void set_law(LibraryMaterial& entry, Arguments& arguments, const Warn& warn) {
+  refuse_second_index(entry, arguments);
+  entry.law = read_law(arguments, warn);
+}
+
+constexpr std::array<LibraryKey<LibraryMaterial>, 19> kKeys{{
     {"reflectivity x", set_fraction<&LibraryMaterial::reflectivity>},
     {"specularExponent e",
      [](LibraryMaterial& entry, Arguments& arguments, const Warn&) {
@@ -58,8 +75,20 @@ constexpr std::array<LibraryKey<LibraryMaterial>, 13> kKeys{{
      [](LibraryMaterial& entry, Arguments& arguments, const Warn& warn) {
        entry.colour = read_samples81(arguments, warn);
      }},
-    {"glass NAME", [](LibraryMaterial& entry, Arguments& arguments,
-                      const Warn&) { entry.glass = &read_glass(arguments); }},
+    {"glass NAME",
+     [](LibraryMaterial& entry, Arguments& arguments, const Warn&) {
+       refuse_second_index(entry, arguments);
+       entry.glass = &read_glass(arguments);
+     }},
+    {kCauchyUsage, set_law<read_cauchy>},
+    {kAbbeUsage, set_law<read_abbe>},
+    {kIndexTableUsage, set_law<read_index_table>},
+    {kIndexFitUsage, set_law<read_index_fit>},
+    {kQuartzUsage, set_law<read_quartz>},
+    {kDispersionScaleUsage,
+     [](LibraryMaterial& entry, Arguments& arguments, const Warn&) {
+       entry.dispersion_scale = arguments.number(kDispersionScaleRange);
+     }},
     {"absorption x",
      [](LibraryMaterial& entry, Arguments& arguments, const Warn&) {
        entry.absorption_per_mm = arguments.number(kAbsorptionRange);
@@ -92,8 +121,14 @@ Material finish(const LibraryMaterial& entry) {
 Medium filling(const LibraryMaterial& entry) {
   Medium medium;
   medium.name = entry.glass ? entry.glass->name : entry.name;
-  medium.index = entry.glass ? entry.glass->dispersion
-                             : Dispersion(ThesisScaled{entry.speed_of_light, entry.v_number});
+  if (entry.law)
+    medium.index = *entry.law;
+  else if (entry.glass)
+    medium.index = entry.glass->dispersion;
+  else
+    medium.index = ThesisScaled{entry.speed_of_light, entry.v_number};
+  if (entry.dispersion_scale != 1.0)
+    medium.index = exaggerated(medium.index, entry.dispersion_scale);
   medium.absorption_per_mm = Curve::constant(entry.absorption_per_mm);
   return medium;
 }

@@ -5,6 +5,7 @@
 #include "spectral/glass.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,9 +24,11 @@ struct LibraryMaterial {
   double reflectivity = 0.0;
   double transparency = 0.0;
   bool fresnel = true;
-  double speed_of_light = 1.0;  ///< used as refractive index, as the thesis does
-  double v_number = 0.0;        ///< factor on quartz's dispersion, not an Abbe number
-  const Glass* glass = nullptr; ///< where set, it replaces the two above
+  double speed_of_light = 1.0;   ///< used as refractive index, as the thesis does
+  double v_number = 0.0;         ///< factor on quartz's dispersion, not an Abbe number
+  const Glass* glass = nullptr;  ///< where set, it replaces the two above
+  std::optional<Dispersion> law; ///< the same, for an index that is written out
+  double dispersion_scale = 1.0; ///< about n_d
   double absorption_per_mm = 0.0;
 };
 

@@ -9,6 +9,7 @@
 //   glass N-BK7                        ! clear glass of the catalogue
 //   absorption 0.01                    ! per mm
 
+#include "io/read_dispersion.h"
 #include "io/read_glass.h"
 #include "io/read_scene_state.h"
 #include "spectral/band_grid.h"
@@ -66,7 +67,7 @@ void read_vnum(SceneState& state, Arguments& arguments) {
   auto* law = std::get_if<ThesisScaled>(&state.material.medium.index);
   if (!law)
     throw ReadError(arguments.keyword().where, "vnum does not go with glass",
-                    "a glass of the catalogue has its own dispersion",
+                    "what fills the solid has its own dispersion",
                     "Remove it, or give speedOfLight before it");
   law->v_number = arguments.number(kVNumberRange);
 }
@@ -90,6 +91,19 @@ void read_clear_glass(SceneState& state, Arguments& arguments) {
   clear.name = glass.name;
   clear.reflectivity = clear.transparency = Curve::constant(1.0);
   state.material = {clear, {glass.name, glass.dispersion, Curve::constant(0.0)}};
+}
+
+/// Clear glass of a law that is written out.
+template <Dispersion (*read_law)(Arguments&, const Warn&)>
+void read_law_glass(SceneState& state, Arguments& arguments) {
+  Material clear;
+  clear.reflectivity = clear.transparency = Curve::constant(1.0);
+  state.material = {clear, {"", read_law(arguments, state.warn), Curve::constant(0.0)}};
+}
+
+void read_dispersion_scale(SceneState& state, Arguments& arguments) {
+  Dispersion& index = state.material.medium.index;
+  index = exaggerated(index, arguments.number(kDispersionScaleRange));
 }
 
 void read_use_material(SceneState& state, Arguments& arguments) {
@@ -118,6 +132,12 @@ constexpr std::array kKeywords{
     SceneKeyword{"fresnel on|off", read_fresnel, true},
     SceneKeyword{"defaultMaterials", read_default_materials, true},
     SceneKeyword{"glass NAME", read_clear_glass, true},
+    SceneKeyword{kCauchyUsage, read_law_glass<read_cauchy>, true},
+    SceneKeyword{kAbbeUsage, read_law_glass<read_abbe>, true},
+    SceneKeyword{kIndexTableUsage, read_law_glass<read_index_table>, true},
+    SceneKeyword{kIndexFitUsage, read_law_glass<read_index_fit>, true},
+    SceneKeyword{kQuartzUsage, read_law_glass<read_quartz>, true},
+    SceneKeyword{kDispersionScaleUsage, read_dispersion_scale, true},
     SceneKeyword{"absorption x", read_absorption, true},
     SceneKeyword{"priority n", read_priority},
 };

@@ -33,12 +33,17 @@ std::int32_t index_of(std::vector<Value>& values, const Value& value) {
   return static_cast<std::int32_t>(values.size()) - 1;
 }
 
+ReadError not_positive(const SourcePosition& where, const Medium& medium) {
+  const bool thesis = std::holds_alternative<ThesisScaled>(medium.index);
+  return {where, "the solid's refractive index is not above 0 at every wavelength",
+          thesis ? "speedOfLight is too small for this vnum" : "its dispersion is too strong",
+          thesis ? "Raise speedOfLight or lower vnum"
+                 : "Check the numbers of its index, or lower dispersionScale"};
+}
+
 MediumId medium_id(SceneState& state, const SourcePosition& where, const Medium& medium) {
-  for (const double lambda_nm : {kLowerNm, kUpperNm})
-    if (!(refractive_index(medium.index, lambda_nm) > 0.0))
-      throw ReadError(where, "the solid's refractive index is not above 0 at every wavelength",
-                      "speedOfLight is too small for this vnum",
-                      "Raise speedOfLight or lower vnum");
+  for (double lambda_nm = kLowerNm; lambda_nm <= kUpperNm; lambda_nm += kSampleStepNm)
+    if (!(refractive_index(medium.index, lambda_nm) > 0.0)) throw not_positive(where, medium);
   return {index_of(state.scene.media, medium)};
 }
 

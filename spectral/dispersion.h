@@ -1,23 +1,38 @@
 #pragma once
 
+#include "spectral/cauchy.h"
 #include "spectral/dispersion_laws.h"
+#include "spectral/fraunhofer.h"
+#include "spectral/tabulated_index.h"
 
+#include <utility>
 #include <variant>
 
 namespace abbe {
 
-/// A refractive index as a function of wavelength. A new law (Cauchy, Abbe number, table) is one
-/// struct with its `refractive_index` and `is_achromatic`, and one name here.
-using Dispersion = std::variant<ConstantIndex, ThesisPolynomial, ThesisLinear, ThesisScaled,
-                                Sellmeier, PowerSeries, Formula4, GasFormula>;
+/// A refractive index as a function of wavelength. A new law is one struct with its
+/// `refractive_index` and `is_achromatic`, and one name here.
+using DispersionLaw =
+    std::variant<ConstantIndex, ThesisPolynomial, ThesisLinear, ThesisScaled, Sellmeier,
+                 PowerSeries, Formula4, GasFormula, Cauchy, TabulatedIndex>;
 
-/// Fraunhofer lines in nm: d (He), F and C (H) [TIE29].
-inline constexpr double kLineD_nm = 587.5618;
-inline constexpr double kLineF_nm = 486.1327;
-inline constexpr double kLineC_nm = 656.2725;
+/// A law with its dispersion exaggerated about n_d, as the thesis did to show it [War05]:
+/// n = n_d + factor (n_law - n_d).
+struct ExaggeratedDispersion {
+  DispersionLaw law;
+  double n_d = 1.0; ///< of the law
+  double factor = 1.0;
+  friend bool operator==(const ExaggeratedDispersion&, const ExaggeratedDispersion&) = default;
+};
 
-/// n at a wavelength in nm. A law is a formula and knows no range: it extrapolates.
-/// NaN where n squared would be negative, which no law here does between 377.5 and 782.5 nm.
+/// Any of the laws, or one exaggerated.
+template <class... Laws>
+std::variant<Laws..., ExaggeratedDispersion> with_exaggeration(std::variant<Laws...>);
+using Dispersion = decltype(with_exaggeration(std::declval<DispersionLaw>()));
+
+/// n at a wavelength in nm. A formula knows no range: it extrapolates; a table holds its ends.
+/// NaN where n squared would be negative, which no glass of the catalogue does between 377.5 and
+/// 782.5 nm.
 [[nodiscard]] double refractive_index(const Dispersion& law, double lambda_nm);
 
 /// True when n does not depend on wavelength.
@@ -25,5 +40,8 @@ inline constexpr double kLineC_nm = 656.2725;
 
 /// The Abbe number V_d = (n_d - 1) / (n_F - n_C); infinite for an achromatic law.
 [[nodiscard]] double abbe_number(const Dispersion& law);
+
+/// The same n_d with `factor` times the dispersion that the law has, exaggerated or not before.
+[[nodiscard]] Dispersion exaggerated(const Dispersion& law, double factor);
 
 } // namespace abbe

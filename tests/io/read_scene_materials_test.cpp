@@ -142,7 +142,7 @@ TEST_CASE("errors of materials") {
   CHECK(scene_error("glass BK7") == "s.sdl:1:7: unknown glass \"BK7\" (no such name in the glass "
                                     "catalogue). Did you mean K7 or N-BK7?");
   CHECK(scene_error("glass N-BK7 vnum 2") ==
-        "s.sdl:1:13: vnum does not go with glass (a glass of the catalogue has its own "
+        "s.sdl:1:13: vnum does not go with glass (what fills the solid has its own "
         "dispersion). Remove it, or give speedOfLight before it");
   CHECK(scene_error("reflectivity 1.1") ==
         "s.sdl:1:14: 1.1 is out of range for reflectivity (it is a fraction of the light). Give a "

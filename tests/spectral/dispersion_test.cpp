@@ -81,3 +81,18 @@ TEST_CASE("The Abbe number is (n_d - 1)/(n_F - n_C)") {
   CHECK(abbe_number(ThesisLinear{}) ==
         Approx((n_d - 1.0) / (0.000054419 * (656.2725 - 486.1327))).epsilon(1e-10));
 }
+
+TEST_CASE("Exaggeration keeps n_d and divides the Abbe number") {
+  const Dispersion glass = Sellmeier{0.0, {{1.25, 0.01}}};
+  const Dispersion strong = exaggerated(glass, 5.0);
+  const double n_d = refractive_index(glass, kLineD_nm);
+  CHECK(refractive_index(strong, kLineD_nm) == n_d);
+  CHECK(abbe_number(strong) == Approx(abbe_number(glass) / 5.0).epsilon(1e-12));
+  for (const double nm : {380.0, 500.0, 780.0})
+    CHECK(refractive_index(strong, nm) ==
+          Approx(n_d + 5.0 * (refractive_index(glass, nm) - n_d)).epsilon(1e-15));
+  CHECK(exaggerated(strong, 2.0) == exaggerated(glass, 2.0)); // of the law, not of the law's
+  CHECK(is_achromatic(exaggerated(glass, 0.0)));
+  CHECK(is_achromatic(exaggerated(ConstantIndex{1.5}, 9.0)));
+  CHECK_FALSE(is_achromatic(strong));
+}
