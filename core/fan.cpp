@@ -44,7 +44,7 @@ RayState Fan::refracted_state(double n_before, double n_after) const {
   return state;
 }
 
-void Fan::trace_bands(std::uint64_t& rays_traced) {
+void Fan::trace_bands(RayCounts& counts) {
   packet_states_.clear();
   for (const int b : wanted_) {
     BandRay& ray = band_rays_[static_cast<std::size_t>(b)];
@@ -58,7 +58,7 @@ void Fan::trace_bands(std::uint64_t& rays_traced) {
     ray.hit = packet_hits_[i];
     ray.traced = true;
   }
-  rays_traced += wanted_.size();
+  counts.add(RayKind::refracted, packet_states_);
   wanted_.clear();
 }
 
@@ -149,8 +149,7 @@ std::size_t Fan::sub_bundles_allowed(Range range, double importance) const {
 
 /// Halves ranges of bands, all of one size before the next smaller, until each may share a ray or
 /// the path's share of sub-bundles is used up.
-void Fan::part(Range whole, double importance, PathWavelengths& wavelengths,
-               std::uint64_t& rays_traced) {
+void Fan::part(Range whole, double importance, PathWavelengths& wavelengths, RayCounts& counts) {
   const std::size_t most = sub_bundles_allowed(whole, importance);
   strata_.clear();
   ranges_.assign(1, whole);
@@ -159,7 +158,7 @@ void Fan::part(Range whole, double importance, PathWavelengths& wavelengths,
       want(r.first);
       want(r.last - 1);
     }
-    trace_bands(rays_traced);
+    trace_bands(counts);
     next_ranges_.clear();
     std::size_t waiting = ranges_.size();
     for (const Range& r : ranges_) {
@@ -181,25 +180,25 @@ void Fan::part(Range whole, double importance, PathWavelengths& wavelengths,
 }
 
 /// Of each range that could not be parted further one band goes on for all, with equal chances.
-void Fan::keep_one_of_each_stratum(double choice, std::uint64_t& rays_traced) {
+void Fan::keep_one_of_each_stratum(double choice, RayCounts& counts) {
   const auto kept = [&](const Range& r) {
     const int size = r.last - r.first;
     return r.first + std::min(static_cast<int>(choice * size), size - 1);
   };
   for (const Range& r : strata_)
     want(kept(r));
-  trace_bands(rays_traced);
+  trace_bands(counts);
   for (const Range& r : strata_)
     add_band(kept(r), static_cast<float>(r.last - r.first));
 }
 
-void Fan::trace_shared_cells(std::uint64_t& rays_traced) {
+void Fan::trace_shared_cells(RayCounts& counts) {
   packet_states_.clear();
   for (const FanCell& cell : cells_)
     if (cell.shared) packet_states_.push_back(cell.bundle.state);
   packet_hits_.resize(packet_states_.size());
   world_.closest(packet_states_, packet_hits_, plan_.settings.tracing);
-  rays_traced += packet_states_.size();
+  counts.add(RayKind::refracted, packet_states_);
   std::size_t next = 0;
   for (FanCell& cell : cells_)
     if (cell.shared) cell.bundle.hit = packet_hits_[next++];
@@ -207,7 +206,7 @@ void Fan::trace_shared_cells(std::uint64_t& rays_traced) {
 
 const std::vector<FanCell>& Fan::refract(const Bundle& bundle, int first, int last,
                                          double importance, PathWavelengths& wavelengths,
-                                         double choice, std::uint64_t& rays_traced) {
+                                         double choice, RayCounts& counts) {
   prepare(bundle, first, last, wavelengths);
   const Hit& hit = *bundle.hit;
   const auto achromatic = [&](MediumId id) { return plan_.medium(id).index.achromatic(); };
@@ -216,14 +215,14 @@ const std::vector<FanCell>& Fan::refract(const Bundle& bundle, int first, int la
   } else if (plan_.settings.exact) {
     for (int b = first; b < last; ++b)
       want(b);
-    trace_bands(rays_traced);
+    trace_bands(counts);
     for (int b = first; b < last; ++b)
       add_band(b, 1.0f);
   } else {
-    part({first, last}, importance, wavelengths, rays_traced);
-    keep_one_of_each_stratum(choice, rays_traced);
+    part({first, last}, importance, wavelengths, counts);
+    keep_one_of_each_stratum(choice, counts);
   }
-  trace_shared_cells(rays_traced);
+  trace_shared_cells(counts);
   for (FanCell& cell : cells_) {
     cell.bundle.depth = bundle.depth + 1;
     cell.bundle.path_length = bundle.path_length + hit.t;

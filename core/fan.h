@@ -2,6 +2,7 @@
 
 #include "core/bundle.h"
 #include "core/path_wavelengths.h"
+#include "core/statistics.h"
 #include "geometry/world.h"
 
 #include <vector>
@@ -28,10 +29,10 @@ public:
   /// The incoming bundle refracted at its hit for bands [first, last), all of which pass.
   /// `importance` is how much of what they meet they bring to the picture; it sets how finely they
   /// may part. `choice` in [0, 1) is the path's number for the roulette. The result is valid until
-  /// the next call; `rays_traced` grows by the rays that were needed.
+  /// the next call; `counts` grows by the rays that were needed.
   const std::vector<FanCell>& refract(const Bundle& bundle, int first, int last, double importance,
                                       PathWavelengths& wavelengths, double choice,
-                                      std::uint64_t& rays_traced);
+                                      RayCounts& counts);
 
 private:
   struct BandRay {
@@ -46,17 +47,16 @@ private:
   void prepare(const Bundle& bundle, int first, int last, PathWavelengths& wavelengths);
   [[nodiscard]] RayState refracted_state(double n_before, double n_after) const;
   void want(int band);
-  void trace_bands(std::uint64_t& rays_traced);
-  void trace_shared_cells(std::uint64_t& rays_traced);
+  void trace_bands(RayCounts& counts);
+  void trace_shared_cells(RayCounts& counts);
   void add_band(int band, float weight);
   void add_shared(Range range, PathWavelengths& wavelengths);
   void add_undivided(Range range);
   [[nodiscard]] bool all_would_leave(Range range) const;
   [[nodiscard]] bool may_share(Range range) const;
   [[nodiscard]] std::size_t sub_bundles_allowed(Range range, double importance) const;
-  void part(Range whole, double importance, PathWavelengths& wavelengths,
-            std::uint64_t& rays_traced);
-  void keep_one_of_each_stratum(double choice, std::uint64_t& rays_traced);
+  void part(Range whole, double importance, PathWavelengths& wavelengths, RayCounts& counts);
+  void keep_one_of_each_stratum(double choice, RayCounts& counts);
 
   const Plan& plan_;
   const World& world_;

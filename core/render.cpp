@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <chrono>
 #include <mutex>
 
@@ -49,8 +50,9 @@ public:
       : plan_(plan), world_(world), camera_(camera), camera_nesting_(camera_nesting), film_(film),
         integrator_(scene, plan, world, camera.pixel_angle()), sums_(plan) {}
 
-  RayCounts render(const Tile& tile, SampleRange samples) {
+  RayCounts render(const Tile& tile, SampleRange samples, RayRecord* record) {
     RayCounts counts;
+    counts.record = record;
     const PixelWindow& w = tile.window;
     for (int y = w.y0; y < w.y1; ++y)
       for (int x = w.x0; x < w.x1; ++x)
@@ -82,7 +84,7 @@ private:
     if (!empty) {
       world_.closest(std::span(states_).first(count), std::span(hits_).first(count),
                      plan_.settings.tracing);
-      counts.camera += count;
+      counts.add(RayKind::camera, std::span(states_).first(count));
     }
     for (std::size_t i = 0; i < count; ++i) {
       sums_.clear();
@@ -138,7 +140,8 @@ private:
 } // namespace
 
 Rendering render(const Scene& scene, const Plan& plan, const World& world, bool keep_bands,
-                 const ProgressCallback& progress, const std::atomic<bool>& stop) {
+                 const ProgressCallback& progress, const std::atomic<bool>& stop,
+                 RayRecord* record) {
   const RenderSettings& settings = plan.settings;
   Rendering result{
       Film(plan.window, plan.quantum, keep_bands ? plan.grid.count() : 0), {}, 0, true};
@@ -146,6 +149,7 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
   const Nesting camera_nesting = world.nesting_at(scene.camera.eye);
   const int passes = (settings.samples_per_pixel + kSamplesPerPass - 1) / kSamplesPerPass;
   ProgressMeter meter(progress, static_cast<std::size_t>(passes) * plan.tiles.size());
+  assert(!record || settings.threads == 1);
   const int threads = settings.threads > 0 ? settings.threads : tbb::info::default_concurrency();
   const tbb::global_control workers(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
@@ -161,7 +165,7 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
                           TileRenderer renderer(scene, plan, world, camera, camera_nesting,
                                                 result.film);
                           for (std::size_t i = range.begin(); i < range.end() && !stop; ++i)
-                            meter.step(renderer.render(plan.tiles[i], samples));
+                            meter.step(renderer.render(plan.tiles[i], samples, record));
                         });
     });
   }

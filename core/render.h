@@ -28,9 +28,10 @@ struct Rendering {
 };
 
 /// Renders the planned window. `keep_bands` makes the film keep every band besides XYZ. Setting
-/// `stop` from anywhere ends the rendering soon; what is done is returned.
+/// `stop` from anywhere ends the rendering soon; what is done is returned. `record`, for
+/// measurements, gets all rays; it needs settings with one thread.
 [[nodiscard]] Rendering render(const Scene& scene, const Plan& plan, const World& world,
                                bool keep_bands, const ProgressCallback& progress,
-                               const std::atomic<bool>& stop);
+                               const std::atomic<bool>& stop, RayRecord* record = nullptr);
 
 } // namespace abbe

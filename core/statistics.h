@@ -1,14 +1,44 @@
 #pragma once
 
+#include "core/ray_record.h"
+
 #include <cstdint>
+#include <span>
 
 namespace abbe {
 
 /// How many rays were traced, by kind.
 struct RayCounts {
   std::uint64_t camera = 0, reflected = 0, refracted = 0, shadow = 0;
+  RayRecord* record = nullptr; ///< keeps the rays themselves, where somebody wants to know them
 
   [[nodiscard]] std::uint64_t total() const { return camera + reflected + refracted + shadow; }
+  [[nodiscard]] std::uint64_t& of(RayKind kind) {
+    switch (kind) {
+    case RayKind::camera:
+      return camera;
+    case RayKind::reflected:
+      return reflected;
+    case RayKind::refracted:
+      return refracted;
+    case RayKind::shadow:
+      break;
+    }
+    return shadow;
+  }
+  /// Counts rays that look for the nearest surface.
+  void add(RayKind kind, std::span<const RayState> rays) {
+    of(kind) += rays.size();
+    if (!record) return;
+    for (const RayState& ray : rays)
+      record->add(kind, ray, kInfinity, false);
+  }
+  void add(RayKind kind, const RayState& ray) { add(kind, std::span(&ray, 1)); }
+  /// Counts a ray that asks whether anything lies nearer than `distance`.
+  void add_any_hit(RayKind kind, const RayState& ray, double distance) {
+    ++of(kind);
+    if (record) record->add(kind, ray, distance, true);
+  }
   RayCounts& operator+=(const RayCounts& other) {
     camera += other.camera;
     reflected += other.reflected;

@@ -23,6 +23,10 @@ public:
   /// Keeps the candidate if it can belong to the nearest boundary. True when it was kept.
   bool offer(const Candidate& candidate);
   [[nodiscard]] bool empty() const { return kept_.empty(); }
+  void clear() {
+    kept_.clear();
+    reach_ = kInfinity;
+  }
   /// Beyond this distance nothing can belong to the nearest boundary any more.
   [[nodiscard]] double reach() const { return reach_; }
   [[nodiscard]] const Coincident& boundary() const { return kept_; }

@@ -196,6 +196,42 @@ bool World::occluded(const RayState& state, double distance) const {
   return query.met_glass && impl_->closest(state, distance).has_value();
 }
 
+std::size_t World::replay_closest(std::span<const RayState> states, int width) const {
+  std::array<NearestCandidates, kWidest> nearest;
+  Query query = query_for(nullptr, nearest.data(), kInfinity);
+  std::size_t met = 0;
+  for (std::size_t begin = 0; begin < states.size(); begin += static_cast<std::size_t>(width)) {
+    const std::size_t count = std::min(static_cast<std::size_t>(width), states.size() - begin);
+    query.states = &states[begin];
+    for (std::size_t i = 0; i < count; ++i)
+      nearest[i].clear();
+    if (width == 1)
+      trace_single(impl_->scene.get(), query);
+    else if (width == 4)
+      trace_packet<RTCRayHit4, 4>(impl_->scene.get(), query, count);
+    else if (width == 8)
+      trace_packet<RTCRayHit8, 8>(impl_->scene.get(), query, count);
+    else
+      trace_packet<RTCRayHit16, 16>(impl_->scene.get(), query, count);
+    for (std::size_t i = 0; i < count; ++i)
+      met += nearest[i].empty() ? 0 : 1;
+  }
+  return met;
+}
+
+std::size_t World::replay_occluded(std::span<const RayState> states,
+                                   std::span<const double> distances) const {
+  std::size_t met = 0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    Query query = query_for(&states[i], nullptr, distances[i]);
+    RTCRay ray;
+    set_ray(ray, 0, states[i].ray, rounded_up(distances[i]));
+    embree::occluded(impl_->scene.get(), query.context, ray);
+    met += ray.tfar < 0.0f ? 1 : 0;
+  }
+  return met;
+}
+
 Nesting World::nesting_at(const dvec3& point) const {
   Nesting nesting;
   for (std::size_t i = 0; i < impl_->shapes.size() && !nesting.full(); ++i)

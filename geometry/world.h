@@ -39,6 +39,12 @@ public:
   /// ray. One that rounding cannot tell from the end does not count: a lamp may lie on a surface.
   [[nodiscard]] bool occluded(const RayState& state, double distance) const;
 
+  // For measurements: the bare query with the callbacks above, and nothing made of what they find.
+  // Both return how many rays met something. Rays go to Embree `width` at a time: 1, 4, 8 or 16.
+  [[nodiscard]] std::size_t replay_closest(std::span<const RayState> states, int width) const;
+  [[nodiscard]] std::size_t replay_occluded(std::span<const RayState> states,
+                                            std::span<const double> distances) const;
+
   /// The solids around a point; slow (asks each), for cameras and lamps.
   [[nodiscard]] Nesting nesting_at(const dvec3& point) const;
   /// The medium at a place inside these solids: that of the highest priority, among equals of

@@ -16,7 +16,7 @@ const float* ShadowRays::transmittance(const RayState& towards_lamp, double dist
   case ShadowRule::none:
     return ones_.data();
   case ShadowRule::opaque:
-    ++counts.shadow;
+    counts.add_any_hit(RayKind::shadow, towards_lamp, distance);
     return world_.occluded(towards_lamp, distance) ? nullptr : ones_.data();
   case ShadowRule::attenuated:
     std::fill(transmittance_.begin(), transmittance_.end(), 1.0f);
@@ -30,7 +30,7 @@ const float* ShadowRays::transmittance(const RayState& towards_lamp, double dist
 bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
                            PathWavelengths& wavelengths, RayCounts& counts) {
   for (;;) {
-    ++counts.shadow;
+    counts.add(RayKind::shadow, state);
     const auto hit = world_.closest(state);
     const double way = hit ? std::min(hit->t, distance) : distance;
     const MediumId medium = hit ? hit->medium_before : world_.medium_of(state.nesting);

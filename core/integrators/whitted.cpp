@@ -159,7 +159,7 @@ void Whitted::reflect(const Bundle& bundle, const float* factors, RayCounts& cou
   next.path_length = bundle.path_length + hit.t;
   next.position_spread = bundle.position_spread + bundle.direction_spread * hit.t;
   next.hit = world_.closest(next.state);
-  ++counts.reflected;
+  counts.add(RayKind::reflected, next.state);
   for (int b = bundle.first; b < bundle.last; ++b)
     lit_[static_cast<std::size_t>(b)] = throughput_[static_cast<std::size_t>(b)] * factors[b];
   push(std::move(next), lit_.data(), static_cast<float>(1.0 / survives));
@@ -184,7 +184,7 @@ void Whitted::refract(const Bundle& bundle, double choice, RayCounts& counts) {
         importance(lit_.data(), ones_.data(), first, last, bundle.hit->medium_after);
     if (brought > plan_.settings.min_throughput)
       for (const FanCell& cell :
-           fan_.refract(bundle, first, last, brought, wavelengths_, choice, counts.refracted))
+           fan_.refract(bundle, first, last, brought, wavelengths_, choice, counts))
         push(cell.bundle, lit_.data(), cell.weight);
     first = last;
   }

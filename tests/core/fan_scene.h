@@ -15,7 +15,7 @@ struct FanScene {
   PathWavelengths wavelengths;
   Fan fan;
   Bundle bundle;
-  std::uint64_t rays = 0;
+  RayCounts rays;
 
   FanScene(const std::string& text, const glm::dvec2& pixel)
       : scene(scene_from(text)), plan(make_plan(scene, scene.settings)),

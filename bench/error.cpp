@@ -1,0 +1,76 @@
+#include "bench/error.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace abbe::bench {
+namespace {
+
+RenderSettings reference_settings(RenderSettings settings, const ErrorOptions& options) {
+  settings.exact = true;
+  settings.jitter = true;
+  settings.samples_per_pixel = options.reference_samples;
+  settings.seed = options.reference_seed;
+  return settings;
+}
+
+} // namespace
+
+std::vector<TimedError> ErrorCurve::rel_mse_curve() const {
+  std::vector<TimedError> curve;
+  for (const BudgetError& budget : budgets)
+    curve.push_back({budget.render_seconds.median, budget.error.rel_mse});
+  return curve;
+}
+
+ErrorCurves measure_error(const std::filesystem::path& scene_path, const ErrorOptions& options,
+                          const std::function<void(const std::string&)>& tell) {
+  const Scene scene = load_scene(scene_path);
+  const World world = build_world(scene);
+  const RenderSettings settings = settings_for(scene, options.render);
+  if (settings.seed == options.reference_seed)
+    throw std::invalid_argument("the reference needs a seed other than the scene's");
+  ErrorCurves result{scene.title, reference_settings(settings, options), 0.0, {}};
+  for (const std::string& text : options.variations) {
+    Variation variation = parse_variation(text, settings);
+    std::vector<BudgetError> budgets;
+    for (const int samples : options.budgets)
+      budgets.push_back({samples, {}, {}, 0, {}});
+    result.curves.push_back({std::move(variation), std::move(budgets)});
+  }
+
+  tell(fmt::format("reference: exact, {} samples per pixel", options.reference_samples));
+  std::vector<Xyz> reference;
+  result.reference_seconds =
+      time_of([&] {
+        reference = pixels(render_once(scene, make_plan(scene, result.reference), world).film);
+      }).cpu;
+
+  for (std::size_t i = 0; i < options.budgets.size(); ++i) {
+    tell(fmt::format("{} samples per pixel", options.budgets[i]));
+    std::vector<std::function<void()>> works;
+    std::vector<Plan> plans;
+    plans.reserve(result.curves.size());
+    for (ErrorCurve& curve : result.curves) {
+      RenderSettings budgeted = curve.variation.settings;
+      budgeted.samples_per_pixel = options.budgets[i];
+      const Plan& plan = plans.emplace_back(make_plan(scene, budgeted));
+      BudgetError& budget = curve.budgets[i];
+      works.emplace_back([&] {
+        const Rendering rendering = render_once(scene, plan, world);
+        budget.rays = rendering.rays.total();
+        if (budget.error.rel_mse == 0.0) // the same every time
+          budget.error = image_error(pixels(rendering.film), reference);
+      });
+    }
+    const std::vector<Runs> runs = interleaved(works, options.render.repeats, true);
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      result.curves[k].budgets[i].render_seconds = runs[k].cpu_spread();
+      result.curves[k].budgets[i].wall_seconds = runs[k].wall_spread();
+    }
+  }
+  return result;
+}
+
+} // namespace abbe::bench

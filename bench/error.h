@@ -1,0 +1,50 @@
+#pragma once
+
+#include "bench/convergence.h"
+#include "bench/image_error.h"
+#include "bench/setup.h"
+#include "bench/timing.h"
+#include "bench/variation.h"
+
+#include <functional>
+
+namespace abbe::bench {
+
+struct ErrorOptions {
+  RenderOptions render;
+  std::vector<std::string> variations{"default", "exact"};
+  std::vector<int> budgets{1, 4, 16, 64}; ///< samples per pixel, ascending
+  int reference_samples = 256;
+  std::uint64_t reference_seed = 1; ///< other than the scene's, so that noise is not shared
+};
+
+/// One variation at one budget.
+struct BudgetError {
+  int samples = 0;
+  Spread render_seconds; ///< processor time, summed over the threads
+  Spread wall_seconds;
+  std::uint64_t rays = 0;
+  ImageError error;
+};
+
+struct ErrorCurve {
+  Variation variation;
+  std::vector<BudgetError> budgets;
+
+  [[nodiscard]] std::vector<TimedError> rel_mse_curve() const;
+};
+
+struct ErrorCurves {
+  std::string scene;
+  RenderSettings reference; ///< exact, with jitter
+  double reference_seconds = 0.0;
+  std::vector<ErrorCurve> curves;
+};
+
+/// Renders every variation at every budget and compares with a reference of `--exact` with jitter.
+/// `tell` hears what is being done.
+[[nodiscard]] ErrorCurves measure_error(const std::filesystem::path& scene,
+                                        const ErrorOptions& options,
+                                        const std::function<void(const std::string&)>& tell);
+
+} // namespace abbe::bench

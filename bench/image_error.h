@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/film.h"
+#include "spectral/color.h"
+
+#include <vector>
+
+namespace abbe::bench {
+
+/// How far a picture is from its reference.
+struct ImageError {
+  double rel_mse = 0.0;      ///< see `relative_mse`
+  double rmse_xyz = 0.0;     ///< over pixels and X, Y, Z
+  double mean_delta_e = 0.0; ///< CIEDE2000, mean over the pixels
+  double delta_e_95 = 0.0;   ///< its 95th percentile
+};
+
+/// The mean over pixels and linear RGB of (x - r)^2 / (r^2 + 0.01 mean(r)^2), where the mean of r
+/// is over pixels and channels. The pictures have the same size.
+[[nodiscard]] double relative_mse(const std::vector<LinearRgb>& picture,
+                                  const std::vector<LinearRgb>& reference);
+
+/// Colours are compared under D65 at Y = 1, the white of a display.
+[[nodiscard]] ImageError image_error(const std::vector<Xyz>& picture,
+                                     const std::vector<Xyz>& reference);
+
+/// The picture's colours, row by row.
+[[nodiscard]] std::vector<Xyz> pixels(const Film& film);
+
+/// The value below which `fraction` of all lie; the lowest and highest for 0 and 1. Linear between
+/// neighbours.
+[[nodiscard]] double quantile(std::vector<double> values, double fraction);
+
+} // namespace abbe::bench

@@ -1,0 +1,35 @@
+#include "bench/setup.h"
+
+#include "bench/timing.h"
+#include "io/read_scene.h"
+
+namespace abbe::bench {
+
+Scene load_scene(const std::filesystem::path& scene) {
+  const bool named = !scene.has_extension() && !scene.has_parent_path();
+  const std::filesystem::path path =
+      named ? std::filesystem::path(ABBE_SCENES) / (scene.string() + ".sdl") : scene;
+  return read_scene(path, [](const std::string&) {});
+}
+
+RenderSettings settings_for(const Scene& scene, const RenderOptions& options) {
+  RenderSettings settings = scene.settings;
+  settings.width = options.width.value_or(settings.width);
+  settings.height = options.height.value_or(settings.height);
+  settings.bands = options.bands.value_or(settings.bands);
+  settings.samples_per_pixel = options.samples_per_pixel.value_or(settings.samples_per_pixel);
+  settings.crop = options.crop;
+  settings.threads = thread_count(options.threads);
+  return settings;
+}
+
+World build_world(const Scene& scene) {
+  return World(scene.shapes, farthest_coordinate(scene));
+}
+
+Rendering render_once(const Scene& scene, const Plan& plan, const World& world, RayRecord* record) {
+  const std::atomic<bool> never = false;
+  return render(scene, plan, world, false, {}, never, record);
+}
+
+} // namespace abbe::bench

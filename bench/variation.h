@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/settings.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace abbe::bench {
+
+/// Settings to compare, named by the text that made them.
+struct Variation {
+  std::string name;
+  RenderSettings settings;
+};
+
+/// "default", or words joined by commas: fan=N, tolerance=PIXELS, cutoff=X, bands=N, exact,
+/// jitter=on|off. Throws std::invalid_argument for anything else.
+[[nodiscard]] Variation parse_variation(std::string_view text, const RenderSettings& settings);
+
+} // namespace abbe::bench

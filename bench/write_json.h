@@ -1,0 +1,21 @@
+#pragma once
+
+#include "bench/bands.h"
+#include "bench/error.h"
+#include "bench/machine.h"
+#include "bench/rays.h"
+
+namespace abbe::bench {
+
+/// What one run of the bench found; a measurement that was not made is an empty list.
+struct Report {
+  Machine machine;
+  std::vector<RaySpeed> rays;
+  std::vector<BandCosts> bands;
+  std::vector<ErrorCurves> errors;
+};
+
+/// The report as JSON, keys as in the structs; docs/performance.md names them.
+[[nodiscard]] std::string to_json_text(const Report& report);
+
+} // namespace abbe::bench
