@@ -22,7 +22,7 @@ std::optional<dvec3> position_of(const Light& light) {
 double scene_size(const Scene& scene) {
   Bounds box;
   for (const PlacedShape& shape : scene.shapes)
-    box = box.joined(bounds(shape));
+    if (is_bounded(shape.shape)) box = box.joined(bounds(shape));
   for (const Light& light : scene.lights)
     if (const auto position = position_of(light)) box = box.joined({*position, *position});
   return box.empty() ? 0.0 : glm::length(box.upper - box.lower);
@@ -56,7 +56,7 @@ double farthest_coordinate(const Scene& scene) {
   };
   include(scene.camera.eye);
   for (const PlacedShape& shape : scene.shapes)
-    farthest = std::max(farthest, bounds(shape).largest_coordinate());
+    if (is_bounded(shape.shape)) farthest = std::max(farthest, bounds(shape).largest_coordinate());
   for (const Light& light : scene.lights)
     if (const auto position = position_of(light)) include(*position);
   return farthest;

@@ -3,13 +3,14 @@
 #include "geometry/box.h"
 #include "geometry/polyhedron.h"
 #include "geometry/sphere.h"
+#include "geometry/tapered_cylinder.h"
 
 #include <variant>
 
 namespace abbe {
 
 /// The convex solids: a line meets each in at most one interval. They are the leaves of CSG trees.
-using Convex = std::variant<Sphere, Box, ConvexPolyhedron>;
+using Convex = std::variant<Sphere, Box, ConvexPolyhedron, TaperedCylinder>;
 
 /// True for the types that Convex holds.
 template <class S>

@@ -5,16 +5,54 @@
 #include "geometry/transform.h"
 
 #include <optional>
+#include <variant>
 
 namespace abbe {
 
-/// The square from -1 to 1 in x and y, in the plane z = 0. It has no inside; its normal is +z.
-struct Square {};
+// Flat shapes lie in the plane z = 0 of their frame. They have no inside; their normal is +z.
 
-/// Where the line meets the square. A ray that leaves a flat surface never meets it again.
-[[nodiscard]] std::optional<Root> intersect(const Square& square, const LocalRay& ray);
-[[nodiscard]] dvec3 outward_normal(const Square& square, const dvec3& point, int face);
-[[nodiscard]] dvec3 snapped(const Square& square, const dvec3& point, int face);
+struct Square {}; ///< from -1 to 1 in x and y
+struct Disc {};   ///< of radius 1 about the origin
+struct Plane {};  ///< without end
+
+using Flat = std::variant<Square, Disc, Plane>;
+
+/// True for the types that Flat holds.
+template <class S>
+concept FlatShape = requires(const S& shape, const dvec3& point) {
+  covers(shape, point);
+};
+
+/// Whether the shape holds this point of its plane.
+[[nodiscard]] bool covers(const Square& square, const dvec3& point);
+[[nodiscard]] bool covers(const Disc& disc, const dvec3& point);
+[[nodiscard]] bool covers(const Plane& plane, const dvec3& point);
+
+/// Where a line meets the plane z = 0. Nothing for a line in the plane, which sees no area of it.
+[[nodiscard]] std::optional<Root> plane_root(const LocalRay& ray);
+
+/// Where the line meets the shape. A ray that leaves a flat surface never meets it again.
+template <FlatShape S>
+[[nodiscard]] std::optional<Root> intersect(const S& shape, const LocalRay& ray) {
+  const auto root = plane_root(ray);
+  return root && covers(shape, ray.at(root->t)) ? root : std::nullopt;
+}
+
+template <FlatShape S>
+[[nodiscard]] dvec3 outward_normal(const S&, const dvec3&, int) {
+  return {0.0, 0.0, 1.0};
+}
+
+template <FlatShape S>
+[[nodiscard]] dvec3 snapped(const S&, const dvec3& point, int) {
+  return {point.x, point.y, 0.0};
+}
+
 [[nodiscard]] Bounds bounds(const Square& square, const Transform& to_world);
+[[nodiscard]] Bounds bounds(const Disc& disc, const Transform& to_world);
+/// Everywhere, as far as Embree goes (it drops what reaches beyond 1.8e18): a plane is asked for
+/// each ray. The box is off the middle, so that Embree's builder parts it from all other shapes
+/// at once.
+[[nodiscard]] Bounds bounds(const Plane& plane, const Transform& to_world);
 
 } // namespace abbe

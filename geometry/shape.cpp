@@ -3,7 +3,11 @@
 namespace abbe {
 
 bool is_solid(const Shape& shape) {
-  return !std::holds_alternative<Square>(shape);
+  return std::visit([]<class S>(const S&) { return !FlatShape<S>; }, shape);
+}
+
+bool is_bounded(const Shape& shape) {
+  return !std::holds_alternative<Plane>(shape);
 }
 
 bool contains(const PlacedShape& placed, const dvec3& world_point) {
@@ -54,14 +58,6 @@ std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& 
       return ShapeCrossing{0.0, i.enter.t_error, i.enter.face, true};
   }
   return std::nullopt;
-}
-
-std::optional<ShapeCrossing> next_crossing(const Square& square, const LocalRay& ray,
-                                           const ShapeState& state) {
-  if (state.touching) return std::nullopt;
-  const auto root = intersect(square, ray);
-  if (!root || root->t < 0.0) return std::nullopt;
-  return ShapeCrossing{root->t, root->t_error, root->face, ray.direction.z < 0.0};
 }
 
 } // namespace abbe

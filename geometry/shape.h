@@ -10,7 +10,8 @@
 namespace abbe {
 
 /// Everything that can stand in a scene.
-using Shape = std::variant<Sphere, Box, ConvexPolyhedron, CsgTree, Square>;
+using Shape =
+    std::variant<Sphere, Box, ConvexPolyhedron, TaperedCylinder, CsgTree, Square, Disc, Plane>;
 
 /// A shape at its place, with what a ray must know when it meets it.
 struct PlacedShape {
@@ -23,6 +24,8 @@ struct PlacedShape {
 
 /// True when the shape has an inside.
 [[nodiscard]] bool is_solid(const Shape& shape);
+/// False for a shape without end, whose bounds say nothing.
+[[nodiscard]] bool is_bounded(const Shape& shape);
 /// True when the world point lies inside the solid.
 [[nodiscard]] bool contains(const PlacedShape& placed, const dvec3& world_point);
 [[nodiscard]] Bounds bounds(const PlacedShape& placed);
@@ -60,8 +63,14 @@ struct ShapeState {
 // enters. The root of the touched face is never computed.
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& ray,
                                                          const ShapeState& state);
-[[nodiscard]] std::optional<ShapeCrossing> next_crossing(const Square& square, const LocalRay& ray,
-                                                         const ShapeState& state);
+template <FlatShape S>
+[[nodiscard]] std::optional<ShapeCrossing> next_crossing(const S& shape, const LocalRay& ray,
+                                                         const ShapeState& state) {
+  if (state.touching) return std::nullopt;
+  const auto root = intersect(shape, ray);
+  if (!root || root->t < 0.0) return std::nullopt;
+  return ShapeCrossing{root->t, root->t_error, root->face, ray.direction.z < 0.0};
+}
 template <ConvexSolid S>
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const S& solid, const LocalRay& ray,
                                                          const ShapeState& state) {

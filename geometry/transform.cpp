@@ -112,4 +112,12 @@ Bounds Transform::unit_sphere_box() const {
   return {offset_ - reach, offset_ + reach};
 }
 
+Bounds Transform::disc_box(double z, double radius) const {
+  const dvec3 center = point({0.0, 0.0, z});
+  dvec3 reach;
+  for (int row = 0; row < 3; ++row)
+    reach[row] = radius * std::hypot(linear_[0][row], linear_[1][row]);
+  return {center - reach, center + reach};
+}
+
 } // namespace abbe

@@ -61,6 +61,8 @@ public:
   [[nodiscard]] Bounds box(const Bounds& bounds) const;
   /// Box around the mapped unit sphere, exact for every affine map.
   [[nodiscard]] Bounds unit_sphere_box() const;
+  /// Box around the mapped disc of this radius about the z axis at height `z`.
+  [[nodiscard]] Bounds disc_box(double z, double radius) const;
 
 private:
   [[nodiscard]] static double largest(const dvec3& v) {

@@ -5,29 +5,41 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace abbe {
 namespace {
 
-/// Each coordinate of a ray that Embree sees differs from the double one by at most u R at its
-/// origin (u = 2^-24, R the farthest coordinate) and by u t <= 4 u R at distance t <= 2 sqrt(3) R;
-/// the slab test adds a few u of differences up to 2 R. 16 u R covers the sum.
+/// Each coordinate of a ray that Embree sees differs from the double one by at most 2.5 u R at its
+/// origin (u = 2^-24, R the farthest coordinate; see `near_origin`) and by u t <= 4 u R at distance
+/// t <= 2 sqrt(3) R; the slab test adds a few u of differences up to 3.5 R. 16 u R covers the sum.
 double bounds_padding(double farthest_coordinate) {
   return std::ldexp(farthest_coordinate, -20);
 }
 
+/// Where Embree's ray begins. One that starts far off, on an endless plane, begins where it comes
+/// near the bounded shapes: they lie in a ball of radius sqrt(3) R about the origin, and the place
+/// where the ray enters it has coordinates below sqrt(6) R < 2.5 R. Planes are met from anywhere.
+dvec3 near_origin(const Ray& ray, double farthest_coordinate) {
+  const dvec3& o = ray.origin;
+  if (std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)}) <= farthest_coordinate) return o;
+  const double advance = -glm::dot(o, ray.direction) - std::numbers::sqrt3 * farthest_coordinate;
+  return advance > 0.0 ? ray.at(advance) : o;
+}
+
 template <class Embree>
-void set_ray(Embree& out, unsigned i, const Ray& ray, float tfar) {
+void set_ray(Embree& out, unsigned i, const Ray& ray, double farthest_coordinate, float tfar) {
   const auto at = [i](auto& field) -> auto& {
     if constexpr (std::is_array_v<std::remove_reference_t<decltype(field)>>)
       return field[i];
     else
       return field;
   };
-  at(out.org_x) = static_cast<float>(ray.origin.x);
-  at(out.org_y) = static_cast<float>(ray.origin.y);
-  at(out.org_z) = static_cast<float>(ray.origin.z);
+  const dvec3 origin = near_origin(ray, farthest_coordinate);
+  at(out.org_x) = static_cast<float>(origin.x);
+  at(out.org_y) = static_cast<float>(origin.y);
+  at(out.org_z) = static_cast<float>(origin.z);
   at(out.dir_x) = static_cast<float>(ray.direction.x);
   at(out.dir_y) = static_cast<float>(ray.direction.y);
   at(out.dir_z) = static_cast<float>(ray.direction.z);
@@ -48,7 +60,8 @@ void trace_packet(RTCScene scene, Query& query, std::size_t count) {
   alignas(64) Packet packet;
   for (std::size_t i = 0; i < Width; ++i) {
     valid[i] = i < count ? -1 : 0;
-    set_ray(packet.ray, static_cast<unsigned>(i), query.states[i < count ? i : 0].ray,
+    const Ray& ray = query.states[i < count ? i : 0].ray;
+    set_ray(packet.ray, static_cast<unsigned>(i), ray, query.farthest_coordinate,
             rounded_up(query.distance));
     packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
@@ -58,16 +71,10 @@ void trace_packet(RTCScene scene, Query& query, std::size_t count) {
 
 void trace_single(RTCScene scene, Query& query) {
   RTCRayHit ray;
-  set_ray(ray.ray, 0, query.states[0].ray, rounded_up(query.distance));
+  set_ray(ray.ray, 0, query.states[0].ray, query.farthest_coordinate, rounded_up(query.distance));
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   embree::intersect(scene, query.context, ray);
-}
-
-Query query_for(const RayState* states, NearestCandidates* found, double distance) {
-  Query query{{}, states, found, distance};
-  embree::init(query.context);
-  return query;
 }
 
 /// Places the leaves of every tree in the world, so that one transform per leaf remains.
@@ -85,21 +92,29 @@ std::vector<PlacedShape> flattened(std::vector<PlacedShape> shapes) {
 struct World::Impl {
   std::vector<PlacedShape> shapes;
   ShapeGroups groups;
-  std::string error; ///< Embree's, while the world is built
+  double farthest_coordinate; ///< of the bounded shapes, and of all places where rays begin
+  std::string error;          ///< Embree's, while the world is built
   embree::Device device;
   embree::Scene scene;
 
-  Impl(const std::vector<PlacedShape>& placed, double farthest_coordinate);
+  Impl(const std::vector<PlacedShape>& placed, double farthest_origin);
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
+  [[nodiscard]] Query query_for(const RayState* states, NearestCandidates* found,
+                                double distance) const {
+    Query query{{}, states, found, farthest_coordinate, distance};
+    embree::init(query.context);
+    return query;
+  }
   [[nodiscard]] std::optional<Hit> closest(const RayState& state, double distance) const;
   [[nodiscard]] std::optional<Hit>
   first_visible(const RayState& start, const NearestCandidates& nearest, double distance) const;
 };
 
-World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_coordinate)
-    : shapes(flattened(placed)), device(rtcNewDevice(nullptr)) {
+World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_origin)
+    : shapes(flattened(placed)), farthest_coordinate(farthest_origin),
+      device(rtcNewDevice(nullptr)) {
   if (!device) throw std::runtime_error("Embree: cannot make a device");
   rtcSetDeviceErrorFunction(
       device.get(),
@@ -108,7 +123,8 @@ World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_coordi
       },
       this);
   for (const PlacedShape& shape : shapes)
-    farthest_coordinate = std::max(farthest_coordinate, bounds(shape).largest_coordinate());
+    if (is_bounded(shape.shape))
+      farthest_coordinate = std::max(farthest_coordinate, bounds(shape).largest_coordinate());
   groups.fill({&shapes, {}, bounds_padding(farthest_coordinate)});
   for (std::size_t i = 0; i < shapes.size(); ++i)
     groups[shapes[i].shape.index()].ids.push_back({static_cast<std::int32_t>(i)});
@@ -172,7 +188,7 @@ void World::closest(std::span<const RayState> states, std::span<std::optional<Hi
       continue;
     }
     std::array<NearestCandidates, kWidest> nearest;
-    Query query = query_for(&states[begin], nearest.data(), kInfinity);
+    Query query = impl_->query_for(&states[begin], nearest.data(), kInfinity);
     if (count <= 4)
       trace_packet<RTCRayHit4, 4>(impl_->scene.get(), query, count);
     else if (count <= 8)
@@ -185,12 +201,12 @@ void World::closest(std::span<const RayState> states, std::span<std::optional<Hi
 }
 
 bool World::occluded(const RayState& state, double distance) const {
-  Query query = query_for(&state, nullptr, distance);
+  Query query = impl_->query_for(&state, nullptr, distance);
   // Outside all glass the first glass on the way shows for certain. Inside, boundaries between
   // equal media may come first.
   query.glass_may_hide = medium_of(state.nesting).valid();
   RTCRay ray;
-  set_ray(ray, 0, state.ray, rounded_up(distance));
+  set_ray(ray, 0, state.ray, query.farthest_coordinate, rounded_up(distance));
   embree::occluded(impl_->scene.get(), query.context, ray);
   if (ray.tfar < 0.0f) return true;
   return query.met_glass && impl_->closest(state, distance).has_value();

@@ -24,6 +24,7 @@ struct Query {
   embree::Context context;
   const RayState* states = nullptr;
   NearestCandidates* found = nullptr; ///< for closest hits
+  double farthest_coordinate = 0.0;   ///< what the bounds are padded for
   double distance = kInfinity;        ///< only what is surely nearer counts
   bool glass_may_hide = false; ///< for occlusion: glass is no answer, only noted in `met_glass`
   bool met_glass = false;

@@ -61,8 +61,8 @@ bool Arguments::number_follows() const {
 Token Arguments::number_token(std::string_view kind) {
   const Token& token = reader_.peek();
   if (token.kind == TokenKind::end)
-    throw ReadError(token.where, fmt::format("the file ends where {} should stand", kind), takes(),
-                    "Complete the statement");
+    throw ReadError(token.where, fmt::format("{} ends where {} should stand", ending(token), kind),
+                    takes(), "Complete the statement");
   if (token.kind != TokenKind::word)
     throw ReadError(token.where, fmt::format("{} is not {}", shown(token), kind), takes(),
                     fmt::format("Give {} without quotes and braces", kind));

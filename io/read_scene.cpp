@@ -33,9 +33,9 @@ std::string_view name_of(const SceneKeyword& keyword) {
 const std::vector<SceneKeyword>& all_keywords() {
   static const std::vector<SceneKeyword> list = [] {
     std::vector<SceneKeyword> rows;
-    for (const auto& table :
-         {setting_keywords(), display_keywords(), camera_keywords(), transform_keywords(),
-          material_keywords(), light_keywords(), shape_keywords(), boolean_keywords()})
+    for (const auto& table : {setting_keywords(), display_keywords(), camera_keywords(),
+                              transform_keywords(), material_keywords(), light_keywords(),
+                              shape_keywords(), boolean_keywords(), macro_keywords()})
       rows.insert(rows.end(), table.begin(), table.end());
     return rows;
   }();
@@ -97,6 +97,7 @@ void check_pushes(const SceneState& state) {
 } // namespace
 
 void read_statement(SceneState& state, TokenReader& reader) {
+  if (state.boolean) check_operands(state, reader.peek());
   const Token token = reader.next();
   const SceneKeyword* keyword = find_keyword(token);
   if (!keyword) fail_unknown(token);
@@ -120,6 +121,8 @@ Scene read_scene_text(std::string_view text, const std::filesystem::path& file, 
   state.scene.title = file.stem().string();
   state.libraries.folder = file.parent_path();
   state.warn = warn ? warn : [](const std::string&) {};
+  std::error_code error;
+  state.open_files.push_back(std::filesystem::weakly_canonical(file, error));
   TokenReader reader(text, file.string());
   while (!reader.at_end())
     read_statement(state, reader);

@@ -26,22 +26,6 @@ bool is_complete(const SceneState& state, const BooleanScope& scope) {
   return scope.operands.size() == 2 && state.pushed.size() == scope.push_depth;
 }
 
-/// Throws unless another statement of the boolean can follow here.
-void check_next(const BooleanScope& scope, const Token& next) {
-  if (scope.operands.size() == 2) {
-    if (is_word(next, "pop")) return;
-    throw ReadError(
-        next.where, fmt::format("{} stands where pop should", shown(next)),
-        fmt::format("{} at line {} has both operands, but not every push inside it has its pop",
-                    scope.keyword, scope.where.line),
-        "Add the pop");
-  }
-  if (next.kind == TokenKind::end)
-    throw ReadError(scope.where, fmt::format("{} lacks an operand", scope.keyword),
-                    fmt::format("the file ends after {} of 2 solids", scope.operands.size()),
-                    "Add a solid after it");
-}
-
 int depth_of(const SceneState& state) {
   return state.boolean ? state.boolean->depth + 1 : 1;
 }
@@ -64,10 +48,8 @@ CsgTree read_operands(SceneState& state, const Arguments& arguments, CsgOperatio
                     fmt::format("at most {} are read", kDeepest), "Combine fewer solids");
 
   state.boolean = &scope;
-  while (!is_complete(state, scope)) {
-    check_next(scope, arguments.reader().peek());
+  while (!is_complete(state, scope))
     read_statement(state, arguments.reader());
-  }
   state.boolean = outer;
   return {operation, std::move(scope.operands[0]), std::move(scope.operands[1])};
 }
@@ -96,6 +78,29 @@ constexpr std::array kKeywords{
 };
 
 } // namespace
+
+void check_operands(const SceneState& state, const Token& next) {
+  const BooleanScope& scope = *state.boolean;
+  if (is_complete(state, scope))
+    throw ReadError(
+        next.where, fmt::format("{} stands after both operands of {}", shown(next), scope.keyword),
+        fmt::format("the boolean at line {} is complete before what brings its operands",
+                    scope.where.line),
+        fmt::format("Move it out of there, or {} into it", scope.keyword));
+  if (scope.operands.size() == 2) {
+    if (is_word(next, "pop")) return;
+    throw ReadError(
+        next.where, fmt::format("{} stands where pop should", shown(next)),
+        fmt::format("{} at line {} has both operands, but not every push inside it has its pop",
+                    scope.keyword, scope.where.line),
+        "Add the pop");
+  }
+  if (next.kind == TokenKind::end)
+    throw ReadError(
+        scope.where, fmt::format("{} lacks an operand", scope.keyword),
+        fmt::format("{} ends after {} of 2 solids", ending(next), scope.operands.size()),
+        "Add a solid after it");
+}
 
 std::span<const SceneKeyword> boolean_keywords() {
   return kKeywords;

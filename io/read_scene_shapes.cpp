@@ -46,18 +46,42 @@ void read_prism(SceneState& state, Arguments& arguments) {
   add_solid(state, arguments, thesis_prism());
 }
 
-void read_square(SceneState& state, Arguments& arguments) {
+void read_tapered_cylinder(SceneState& state, Arguments& arguments) {
+  add_solid(state, arguments, TaperedCylinder{arguments.number({"the radius at z = 1"})});
+}
+
+void read_cylinder(SceneState& state, Arguments& arguments) {
+  add_solid(state, arguments, TaperedCylinder{1.0});
+}
+
+void read_cone(SceneState& state, Arguments& arguments) {
+  add_solid(state, arguments, TaperedCylinder{0.0});
+}
+
+void read_convex_polyhedron(SceneState& state, Arguments& arguments) {
+  add_solid(state, arguments, read_polyhedron(arguments));
+}
+
+template <FlatShape S>
+void read_flat(SceneState& state, Arguments& arguments) {
   if (state.boolean)
-    throw ReadError(arguments.keyword().where, "square cannot be an operand",
+    throw ReadError(arguments.keyword().where,
+                    std::string(arguments.name()) + " cannot be an operand",
                     "it has no inside to combine", "Use a flat cube, or another solid");
-  place_shape(state, arguments.keyword().where, Square{}, state.transform, state.material);
+  place_shape(state, arguments.keyword().where, S{}, state.transform, state.material);
 }
 
 constexpr std::array kKeywords{
     SceneKeyword{"sphere", read_sphere, true},
     SceneKeyword{"cube", read_cube, true},
     SceneKeyword{"prism", read_prism, true},
-    SceneKeyword{"square", read_square, true},
+    SceneKeyword{"cylinder", read_cylinder, true},
+    SceneKeyword{"cone", read_cone, true},
+    SceneKeyword{"taperedCylinder s", read_tapered_cylinder, true},
+    SceneKeyword{"polyhedron planes|vertices n ...", read_convex_polyhedron, true},
+    SceneKeyword{"square", read_flat<Square>, true},
+    SceneKeyword{"disc", read_flat<Disc>, true},
+    SceneKeyword{"plane", read_flat<Plane>, true},
 };
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "io/token.h"
 #include "spectral/color.h"
 
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <span>
@@ -48,6 +49,13 @@ struct BooleanScope {
   std::vector<CsgTree> operands;
 };
 
+/// Statements by name; the last token is an `end`.
+struct Macro {
+  std::string name;
+  SourcePosition where; ///< of its def
+  std::vector<Token> body;
+};
+
 /// The scene as far as it is read, and everything that is current.
 struct SceneState {
   Scene scene;
@@ -60,6 +68,10 @@ struct SceneState {
   int priority = 0;
   CurrentLight light;
   BooleanScope* boolean = nullptr; ///< the innermost one that is open
+
+  std::vector<Macro> macros;
+  std::vector<std::string> open_macros;          ///< being used, each by the one before it
+  std::vector<std::filesystem::path> open_files; ///< being read, each included by the one before
 
   std::set<const Glass*> warned_glasses;
   std::optional<SourcePosition> camera_at; ///< of the last keyword that moves the camera
@@ -81,9 +93,13 @@ struct SceneKeyword {
 [[nodiscard]] std::span<const SceneKeyword> light_keywords();
 [[nodiscard]] std::span<const SceneKeyword> shape_keywords();
 [[nodiscard]] std::span<const SceneKeyword> boolean_keywords();
+[[nodiscard]] std::span<const SceneKeyword> macro_keywords();
 
 /// Reads one keyword with its arguments; for a boolean also its operands.
 void read_statement(SceneState& state, TokenReader& reader);
+
+/// Throws unless `next` may begin a statement inside the open boolean.
+void check_operands(const SceneState& state, const Token& next);
 
 /// Warns with the position in front of the message.
 void warn_at(const SceneState& state, const SourcePosition& where, const std::string& message);
@@ -99,6 +115,9 @@ void warn_at(const SceneState& state, const SourcePosition& where, const std::st
 
 /// Three numbers, each 0 or more: linear sRGB.
 [[nodiscard]] LinearRgb read_rgb(Arguments& arguments);
+
+/// Reads what follows the keyword `polyhedron`.
+[[nodiscard]] ConvexPolyhedron read_polyhedron(Arguments& arguments);
 
 /// Adds a shape with a material to the scene.
 void place_shape(SceneState& state, const SourcePosition& where, Shape shape,

@@ -103,8 +103,12 @@ std::string to_string(const SourcePosition& where) {
 }
 
 std::string shown(const Token& token) {
-  if (token.kind == TokenKind::end) return "the end of the file";
+  if (token.kind == TokenKind::end) return "the end of " + ending(token);
   return '"' + token.text + '"';
+}
+
+std::string ending(const Token& end) {
+  return end.text.empty() ? "the file" : end.text;
 }
 
 bool is_word(const Token& token, std::string_view word) {

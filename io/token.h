@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace abbe {
@@ -30,6 +31,11 @@ public:
   ReadError(const std::filesystem::path& file, const std::string& what, const std::string& why,
             const std::string& right)
       : runtime_error(file.string() + ": " + what + " (" + why + "). " + right) {}
+  /// The same, with `note` at its end.
+  [[nodiscard]] ReadError with(const std::string& note) const { return ReadError(what() + note); }
+
+private:
+  explicit ReadError(const std::string& message) : runtime_error(message) {}
 };
 
 /// Receives what a reader finds odd but can live with, as "file:line:column: message".
@@ -39,12 +45,15 @@ enum class TokenKind : std::uint8_t { word, quoted, open_brace, close_brace, end
 
 struct Token {
   TokenKind kind = TokenKind::end;
-  std::string text; ///< without the quotes; empty at the end of the file
+  std::string text; ///< without the quotes; of an end what ends, empty for a file
   SourcePosition where;
 };
 
 /// The token as a message shows it: `"text"`, or "the end of the file".
 [[nodiscard]] std::string shown(const Token& token);
+
+/// What an `end` token ends: "the file", or "macro NAME".
+[[nodiscard]] std::string ending(const Token& end);
 
 /// True for this word without quotes, in upper or lower case.
 [[nodiscard]] bool is_word(const Token& token, std::string_view word);
@@ -57,6 +66,8 @@ struct Token {
 class TokenReader {
 public:
   TokenReader(std::string_view text, const std::string& file) : tokens_(tokenize(text, file)) {}
+  /// The last of the tokens is an `end`.
+  explicit TokenReader(std::vector<Token> tokens) : tokens_(std::move(tokens)) {}
 
   [[nodiscard]] const Token& peek() const { return tokens_[next_]; }
   [[nodiscard]] bool at_end() const { return peek().kind == TokenKind::end; }

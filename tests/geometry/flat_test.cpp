@@ -41,3 +41,24 @@ TEST_CASE("square: normal, snapping, bounds") {
   REQUIRE(box.lower == dvec3(0, 1, 3));
   REQUIRE(box.upper == dvec3(2, 3, 3));
 }
+
+TEST_CASE("disc: its rim belongs to it, what is beyond does not") {
+  const auto met = [](double x, double y) {
+    return intersect(Disc{}, LocalRay{{x, y, 3}, {0, 0, -1}}).has_value();
+  };
+  REQUIRE(met(0, 0));
+  REQUIRE(met(0.6, 0.8));
+  REQUIRE(met(0, -1));
+  REQUIRE_FALSE(met(0, 1 + 1e-15));
+  REQUIRE_FALSE(met(0.8, 0.8));
+  const Bounds box = bounds(Disc{}, Transform::rotation(90, {0, 1, 0}));
+  REQUIRE(box.lower == dvec3(0, -1, -1));
+  REQUIRE(box.upper == dvec3(0, 1, 1));
+}
+
+TEST_CASE("plane: met anywhere, but not by a ray in it") {
+  REQUIRE(intersect(Plane{}, LocalRay{{1e9, -1e9, 3}, {0, 0, -1}})->t == 3.0);
+  REQUIRE(intersect(Plane{}, LocalRay{{0, 0, 1}, {1, 0, -1e-9}})->t == Approx(1e9));
+  REQUIRE_FALSE(intersect(Plane{}, LocalRay{{0, 0, 0}, {1, 0, 0}}));
+  REQUIRE_FALSE(intersect(Plane{}, LocalRay{{0, 0, 1}, {1, 0, 0}}));
+}

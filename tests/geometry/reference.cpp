@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
+#include <type_traits>
 
 namespace abbe::reference {
 namespace {
@@ -46,10 +48,34 @@ void plane_roots(const Leaf& leaf, const Vec& o, const Vec& d, int index,
   roots.push_back({last, index, last_face});
 }
 
+/// Roots of the side's equation and of the caps count where they lie on the solid's boundary.
+void taper_roots(const Leaf& leaf, const Vec& from, const Vec& d, int index,
+                 std::vector<LeafRoot>& roots) {
+  // From the point of the line nearest to the middle, so that the equation does not cancel.
+  const Real shift = -glm::dot(from - Vec(0, 0, 0.5L), d) / glm::dot(d, d);
+  const Vec o = from + shift * d;
+  const Real k = *leaf.taper - 1, r = 1 + k * o.z, dr = k * d.z;
+  const Real a = d.x * d.x + d.y * d.y - dr * dr;
+  const Real b = o.x * d.x + o.y * d.y - r * dr;
+  const Real w_x = r * d.x - dr * o.x, w_y = r * d.y - dr * o.y, moment = o.x * d.y - o.y * d.x;
+  const Real square = w_x * w_x + w_y * w_y - moment * moment;
+  if (square >= 0 && a != 0)
+    for (const Real sign : {-1.0L, 1.0L}) {
+      const Real t = (-b + sign * std::sqrt(square)) / a, z = o.z + t * d.z;
+      if (z >= 0 && z <= 1 && 1 + k * z >= 0) roots.push_back({t + shift, index, 0});
+    }
+  for (const int face : {1, 2}) {
+    const Real t = (face - 1 - o.z) / d.z;
+    if (d.z != 0 && std::hypot(o.x + t * d.x, o.y + t * d.y) <= (face == 1 ? 1 : *leaf.taper))
+      roots.push_back({t + shift, index, face});
+  }
+}
+
 } // namespace
 
 bool Leaf::contains(const Vec& world) const {
   const Vec p = inverse * (world - offset);
+  if (taper) return p.z > 0 && p.z < 1 && std::hypot(p.x, p.y) < 1 + (*taper - 1) * p.z;
   if (planes.empty()) return glm::dot(p, p) < 1;
   return std::all_of(planes.begin(), planes.end(), [&](const HalfSpace& h) {
     return glm::dot(Vec(h.normal), p) < Real(h.offset);
@@ -59,6 +85,14 @@ bool Leaf::contains(const Vec& world) const {
 Real Leaf::clearance(const Vec& world) const {
   // A level set's distance is its value over the length of its gradient, M^-T n.
   const Vec p = inverse * (world - offset);
+  if (taper) {
+    const Real rho = std::hypot(p.x, p.y), k = *taper - 1;
+    const Vec side = rho == 0 ? Vec(0, 0, 1) : Vec(p.x / rho, p.y / rho, -k);
+    const Vec up(0, 0, 1);
+    return std::min({std::abs(rho - 1 - k * p.z) / glm::length(side * inverse),
+                     std::abs(p.z) / glm::length(up * inverse),
+                     std::abs(p.z - 1) / glm::length(up * inverse)});
+  }
   if (planes.empty()) {
     const Real r = glm::length(p);
     return r == 0 ? 1e30L : std::abs(r - 1) / glm::length(p / r * inverse);
@@ -72,6 +106,11 @@ Real Leaf::clearance(const Vec& world) const {
 }
 
 Vec Leaf::normal(int face, const Vec& world) const {
+  if (taper) {
+    const Vec p = inverse * (world - offset);
+    const Vec side(p.x, p.y, (1 - *taper) * std::hypot(p.x, p.y));
+    return glm::normalize((face == 0 ? side : Vec(0, 0, face == 1 ? -1 : 1)) * inverse);
+  }
   const Vec n = planes.empty() ? inverse * (world - offset) : Vec(planes[std::size_t(face)].normal);
   return glm::normalize(n * inverse);
 }
@@ -107,14 +146,17 @@ std::vector<Crossing> Solid::crossings(const Vec& origin, const Vec& direction, 
     const Vec o = plane.inverse * (origin - plane.offset), d = plane.inverse * direction;
     if (d.z == 0) return {};
     const Real t = -o.z / d.z;
-    if (std::abs(o.x + t * d.x) > 1 || std::abs(o.y + t * d.y) > 1) return {};
+    const Real x = std::abs(o.x + t * d.x), y = std::abs(o.y + t * d.y);
+    if (!endless && (round ? x * x + y * y > 1 : x > 1 || y > 1)) return {};
     return {{t, d.z < 0, 0, 0, glm::normalize(Vec(0, 0, 1) * plane.inverse)}};
   }
   std::vector<LeafRoot> roots;
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     const Vec o = leaves[i].inverse * (origin - leaves[i].offset);
     const Vec d = leaves[i].inverse * direction;
-    if (leaves[i].planes.empty())
+    if (leaves[i].taper)
+      taper_roots(leaves[i], o, d, int(i), roots);
+    else if (leaves[i].planes.empty())
       ball_roots(o, d, int(i), roots);
     else
       plane_roots(leaves[i], o, d, int(i), roots);
@@ -164,6 +206,24 @@ Twin square() {
   return {{Square{}, {}, {}, {}, 0}, {{Leaf{}}, {{0, {}}}, true}};
 }
 
+Twin disc() {
+  Twin twin{{Disc{}, {}, {}, {}, 0}, {{Leaf{}}, {{0, {}}}, true}};
+  twin.solid.round = true;
+  return twin;
+}
+
+Twin plane() {
+  Twin twin{{Plane{}, {}, {}, {}, 0}, {{Leaf{}}, {{0, {}}}, true}};
+  twin.solid.endless = true;
+  return twin;
+}
+
+Twin tapered_cylinder(double top_radius) {
+  Leaf leaf;
+  leaf.taper = Real(top_radius);
+  return {{TaperedCylinder{top_radius}, {}, {}, {}, 0}, {{leaf}, {{0, {}}}, false}};
+}
+
 Twin polyhedron(const std::vector<HalfSpace>& planes) {
   Leaf leaf;
   leaf.planes = planes;
@@ -188,9 +248,14 @@ Twin csg(const Piece& from) {
 
 Piece piece(const Twin& convex) {
   const Transform& at = convex.placed.to_world;
-  if (std::holds_alternative<Sphere>(convex.placed.shape)) return {{Sphere{}, at}, convex.solid};
-  if (std::holds_alternative<Box>(convex.placed.shape)) return {{Box{}, at}, convex.solid};
-  return {{std::get<ConvexPolyhedron>(convex.placed.shape), at}, convex.solid};
+  return std::visit(
+      [&]<class S>(const S& solid) -> Piece {
+        if constexpr (std::is_constructible_v<Convex, S>)
+          return {{solid, at}, convex.solid};
+        else
+          throw std::logic_error("not convex");
+      },
+      convex.placed.shape);
 }
 
 Piece combined(CsgOperation operation, const Piece& left, const Piece& right) {

@@ -4,6 +4,7 @@
 
 #include <glm/mat3x3.hpp>
 
+#include <optional>
 #include <vector>
 
 // What the geometry tests compare with: the same solids in 80-bit arithmetic, by other means. A
@@ -16,9 +17,11 @@ using Real = long double;
 using Vec = glm::vec<3, Real>;
 using Mat = glm::mat<3, 3, Real>;
 
-/// A unit ball when it has no planes, else the points under all planes; in a frame of its own.
+/// A solid of revolution when it has a taper (radius 1 at z = 0, `taper` at z = 1), else a unit
+/// ball when it has no planes, else the points under all planes; in a frame of its own.
 struct Leaf {
   std::vector<HalfSpace> planes;
+  std::optional<Real> taper;
   Mat linear{1}, inverse{1};
   Vec offset{0};
 
@@ -43,7 +46,8 @@ struct Crossing {
 struct Solid {
   std::vector<Leaf> leaves;
   std::vector<Step> steps;
-  bool flat = false; ///< the square: its one leaf serves for the plane's frame
+  bool flat = false;                   ///< its one leaf serves for the plane's frame
+  bool round = false, endless = false; ///< what a flat one covers; neither: a square
 
   [[nodiscard]] bool contains(const Vec& world) const;
   [[nodiscard]] Real clearance(const Vec& world) const;
@@ -68,6 +72,9 @@ struct Piece {
 [[nodiscard]] Twin sphere();
 [[nodiscard]] Twin box();
 [[nodiscard]] Twin square();
+[[nodiscard]] Twin disc();
+[[nodiscard]] Twin plane();
+[[nodiscard]] Twin tapered_cylinder(double top_radius);
 [[nodiscard]] Twin polyhedron(const std::vector<HalfSpace>& planes);
 [[nodiscard]] Twin prism();
 [[nodiscard]] Twin csg(const Piece& piece);

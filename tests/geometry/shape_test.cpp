@@ -110,9 +110,12 @@ TEST_CASE("next_crossing: t_error holds for solids stretched a thousandfold, and
   for (int k = 0; k < 3000; ++k) {
     glm::dmat3 stretch(1.0);
     stretch[random.below(3)] *= 1000.0;
-    const Twin shape = k % 3 == 0 ? sphere() : k % 3 == 1 ? box() : polyhedron(random.planes(9));
+    const Twin shape = k % 4 == 0   ? sphere()
+                       : k % 4 == 1 ? box()
+                       : k % 4 == 2 ? polyhedron(random.planes(9))
+                                    : tapered_cylinder(random.uniform(0.0, 2.0));
     const Twin twin = placed(shape, random.rotation() * stretch * random.rotation(),
-                             random.in_cube(k % 2 ? 1.0 : 1e5));
+                             random.in_cube(k % 8 < 4 ? 1.0 : 1e5));
     const Transform& at = twin.placed.to_world;
     for (int i = 0; i < 30; ++i) {
       const dvec3 o = at.point(random.in_cube(random.chance(0.5) ? 1.2 : 0.01)) +

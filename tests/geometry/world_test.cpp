@@ -70,6 +70,30 @@ TEST_CASE("world: squares under affine maps") {
   check(compare(24, [](Random&) { return square(); }));
 }
 
+TEST_CASE("world: discs under affine maps") {
+  check(compare(40, [](Random&) { return disc(); }));
+}
+
+TEST_CASE("world: planes under affine maps") {
+  check(compare(41, [](Random&) { return plane(); }));
+}
+
+TEST_CASE("world: cylinders, cones and what is between under affine maps") {
+  check(compare(42, [](Random&) { return tapered_cylinder(1.0); }));
+  check(compare(43, [](Random&) { return tapered_cylinder(0.0); }));
+  check(compare(44, [](Random& random) { return tapered_cylinder(random.uniform(0.0, 2.0)); }));
+}
+
+TEST_CASE("world: trees of cylinders and cones under affine maps") {
+  check(compare(45, [](Random& random) {
+    const auto leaf = [&](double top) {
+      return piece(placed(tapered_cylinder(top), random.linear(), random.in_cube(0.5)));
+    };
+    const Piece both = combined(CsgOperation::unite, leaf(0.0), leaf(1.0));
+    return csg(combined(CsgOperation::subtract, both, leaf(0.5)));
+  }));
+}
+
 TEST_CASE("world: lenses under affine maps") {
   check(compare(25, [](Random&) { return csg(lens_piece(0.5)); }));
 }
@@ -81,7 +105,12 @@ TEST_CASE("world: nested trees under affine maps") {
 TEST_CASE("world: far away origins") {
   for (const double far : {1e4, 1e6}) {
     const Tally tally = compare(
-        27, [](Random& random) { return random.chance(0.5) ? sphere() : csg(lens_piece(0.3)); },
+        27,
+        [](Random& random) {
+          return random.chance(0.3)   ? sphere()
+                 : random.chance(0.5) ? csg(lens_piece(0.3))
+                                      : tapered_cylinder(random.uniform(0.0, 2.0));
+        },
         far);
     CHECK(tally.differ == 0);
     CHECK(tally.undecided < 50);
@@ -300,4 +329,54 @@ TEST_CASE("world: empty, and with solids that are nowhere") {
                         CsgTree(Sphere{}, Transform::translation({0, 5, 0})));
   CHECK_FALSE(one(nothing).closest(ray({0, 0, -3}, {0, 0, 1})));
   CHECK_FALSE(embree_version().empty());
+}
+
+TEST_CASE("world: a plane is met to the horizon, and from there the solids on it") {
+  const World world(
+      {{Plane{}, {}, {1}, {}, 0}, {Sphere{}, Transform::translation({0, 0, 1}), {2}, {}, 0}}, 5.0);
+  for (const double way : {1e3, 1e6, 1e9, 1e12}) {
+    const auto hit = world.closest(ray({2, 2, 1}, glm::normalize(dvec3(way, 0, -1))));
+    REQUIRE(hit);
+    CHECK(hit->shape.value == 0);
+    CHECK(hit->point.x == Approx(way + 2.0));
+    CHECK(hit->point.z == 0.0);
+    // Back from out there to where the ball is widest, just inside its rim and just outside.
+    const auto back = [&](double y) {
+      RayState state = ray(hit->point + dvec3(0, -2, 0), {});
+      state.ray.direction = glm::normalize(dvec3(0, y, 1) - state.ray.origin);
+      state.contacts = hit->same_side;
+      return world.closest(state);
+    };
+    const double blur = 1e-15 * way + 1e-6;
+    const auto ball = back(1.0 - blur);
+    REQUIRE(ball);
+    CHECK(ball->shape.value == 1);
+    CHECK_FALSE(back(1.0 + 1.0 / way + blur));
+  }
+}
+
+TEST_CASE("world: a plane under a scene of solids changes no hit above it") {
+  Random random(33);
+  Scene solids, all;
+  for (int i = 0; i < 40; ++i) {
+    const Twin twin =
+        placed(i % 2 ? tapered_cylinder(0.5) : sphere(), random.linear(), random.in_cube(8.0));
+    solids.add(twin);
+    all.add(twin);
+  }
+  all.add(placed(plane(), random.rotation(), {0, 0, 0}));
+  const World without(solids.shapes(), 20.0), with(all.shapes(), 20.0);
+  int nearer = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const RayState state = free_ray(solids, random.in_cube(9.0), random.direction());
+    const auto a = without.closest(state), b = with.closest(state);
+    if (b && b->shape.value == 40) {
+      ++nearer;
+      CHECK((!a || a->t >= b->t));
+      continue;
+    }
+    REQUIRE(a.has_value() == b.has_value());
+    if (a) CHECK((a->t == b->t && a->shape == b->shape));
+  }
+  CHECK(nearer > 2000);
 }

@@ -88,8 +88,10 @@ private:
     if (hit && !state.contacts.empty()) {
       const SurfaceContact& left = state.contacts[0];
       const Twin& twin = scene_.twins[left.shape.index()];
-      const bool ball = std::holds_alternative<Sphere>(twin.placed.shape) ||
-                        std::holds_alternative<CsgTree>(twin.placed.shape);
+      const bool ball =
+          std::holds_alternative<Sphere>(twin.placed.shape) ||
+          std::holds_alternative<CsgTree>(twin.placed.shape) ||
+          (std::holds_alternative<TaperedCylinder>(twin.placed.shape) && left.face.face == 0);
       if (hit->shape == left.shape && hit->face == left.face && !ball) ++count_.same_face;
     }
     const Vec o(state.ray.origin), d(state.ray.direction);
@@ -246,6 +248,26 @@ Walk tree() {
   return lone("a nested tree", csg(nested_piece(random)));
 }
 
+Walk cylinders() {
+  Walk walk{"cylinders and cones that touch", {}};
+  walk.scene.add(at(tapered_cylinder(1.0), 0.5, {0, 0, 0}), 1);
+  walk.scene.add(at(tapered_cylinder(0.0), 0.5, {0, 0, 0.5}), 2);                // on its top
+  walk.scene.add(placed(tapered_cylinder(2.0), glm::dmat3(-0.5), {0, 0, 0}), 3); // under it
+  walk.scene.add(at(disc(), 0.5, {0, 0, 0.25})); // across the first, to its side
+  walk.cemented = [](const dvec3& p) {
+    return std::abs(std::abs(p.z - 0.25) - 0.25) < 1e-7 && std::hypot(p.x, p.y) < 0.49;
+  };
+  return walk;
+}
+
+Walk ground() {
+  Walk walk{"solids on an endless plane", {}};
+  walk.scene.add(plane());
+  walk.scene.add(at(tapered_cylinder(0.5), 1.0, {0, 0, 0}), 1);
+  walk.scene.add(at(sphere(), 0.5, {1, 1, 0.5}), 1); // touches it
+  return walk;
+}
+
 void check(const Walk& walk, int segments = 100000) {
   std::uint64_t seed = 80;
   for (const Setting& setting : {Setting{1, 0}, {1e-4, 0}, {1e4, 0}, {1, 1e5}, {1e-2, 1e5}}) {
@@ -301,4 +323,18 @@ TEST_CASE("walk: squares on and inside a box") {
 }
 TEST_CASE("walk: a corner of three walls") {
   check(room());
+}
+TEST_CASE("walk: a cylinder, a cone, and what is between") {
+  for (const double top : {0.0, 0.3, 1.0, 1.7})
+    check(lone("a tapered cylinder", tapered_cylinder(top)), 50000);
+}
+TEST_CASE("walk: a bored cylinder") {
+  check(lone("a bored cylinder", minus(at(tapered_cylinder(0.7), 1.0, {0, 0, -0.5}),
+                                       at(tapered_cylinder(0.7), 0.6, {0, 0, -0.3}))));
+}
+TEST_CASE("walk: cylinders and cones that touch") {
+  check(cylinders());
+}
+TEST_CASE("walk: solids on an endless plane") {
+  check(ground());
 }

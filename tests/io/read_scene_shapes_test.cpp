@@ -24,8 +24,14 @@ bool inside(const Scene& scene, const dvec3& point) {
 } // namespace
 
 TEST_CASE("every shape's keyword") {
-  const Scene scene = scene_of("sphere Cube SQUARE prism");
-  REQUIRE(scene.shapes.size() == 4);
+  const Scene scene =
+      scene_of("sphere Cube SQUARE prism cylinder cone taperedCylinder 0.5 disc plane");
+  REQUIRE(scene.shapes.size() == 9);
+  CHECK(std::get<TaperedCylinder>(scene.shapes[4].shape).top_radius == 1.0);
+  CHECK(std::get<TaperedCylinder>(scene.shapes[5].shape).top_radius == 0.0);
+  CHECK(std::get<TaperedCylinder>(scene.shapes[6].shape).top_radius == 0.5);
+  CHECK(std::holds_alternative<Disc>(scene.shapes[7].shape));
+  CHECK(std::holds_alternative<Plane>(scene.shapes[8].shape));
   CHECK(std::holds_alternative<Sphere>(scene.shapes[0].shape));
   CHECK(std::holds_alternative<Box>(scene.shapes[1].shape));
   CHECK(std::holds_alternative<Square>(scene.shapes[2].shape));
@@ -139,6 +145,56 @@ TEST_CASE("an operand with another filling than its boolean warns") {
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].find("test.sdl:1:38: what fills this operand is ignored (one medium fills the "
                          "whole solid, that of the outermost boolean)") != std::string::npos);
+}
+
+TEST_CASE("a polyhedron by planes and by vertices") {
+  // The same tetrahedron, twice; normals may have any length.
+  const Scene scene =
+      scene_of("glass N-BK7\n"
+               "polyhedron planes 4  -2 0 0 0  0 -1 0 0  0 0 -1 0  1 1 1 1\n"
+               "difference polyhedron vertices 5  0 0 0  1 0 0  0 1 0  0 0 1  0.1 0.1 0.1 sphere");
+  REQUIRE(scene.shapes.size() == 2);
+  const auto& by_planes = std::get<ConvexPolyhedron>(scene.shapes[0].shape);
+  const auto& by_vertices = std::get<ConvexPolyhedron>(tree_of(scene, 1).leaves().at(0).solid);
+  CHECK(by_planes.vertices().size() == 4);
+  CHECK(by_vertices.half_spaces().size() == 4);
+  for (const dvec3& v : by_planes.vertices())
+    CHECK(std::abs(signed_distance(by_vertices, v)) < 1e-15);
+}
+
+TEST_CASE("errors of shapes") {
+  CHECK(scene_error("taperedCylinder -1") ==
+        "s.sdl:1:17: -1 is out of range for taperedCylinder (it is the radius at z = 1). Give a "
+        "number 0 or more");
+  for (const std::string flat : {"disc", "plane"})
+    CHECK(scene_error("union cube " + flat) ==
+          "s.sdl:1:12: " + flat +
+              " cannot be an operand (it has no inside to combine). Use a flat "
+              "cube, or another solid");
+  CHECK(scene_error("polyhedron corners 4") ==
+        "s.sdl:1:12: \"corners\" is no choice of polyhedron (polyhedron takes planes|vertices n "
+        "...). Give planes or vertices");
+  CHECK(scene_error("polyhedron planes 3") ==
+        "s.sdl:1:19: 3 is out of range for polyhedron (it is the number of planes). Give a number "
+        "from 4 to 256");
+  CHECK(scene_error("polyhedron vertices 129") ==
+        "s.sdl:1:21: 129 is out of range for polyhedron (it is the number of vertices). Give a "
+        "number from 4 to 128");
+  CHECK(scene_error("polyhedron planes 4  1 0 0 1  0 0 0 1") ==
+        "s.sdl:1:31: a plane's normal has no direction (it is 0 0 0). Give the direction in which "
+        "the plane looks outwards");
+  CHECK(scene_error("polyhedron planes 4  1 0 0 1  -1 0 0 1  0 1 0 1  0 -1 0 1") ==
+        "s.sdl:1:1: this polyhedron is no solid (the planes leave the solid open to infinity). "
+        "Give planes that look outwards on all sides of a point");
+  CHECK(scene_error("polyhedron planes 4  -1 0 0 0  0 -1 0 0  0 0 -1 0  1 1 1 -1") ==
+        "s.sdl:1:1: this polyhedron is no solid (the planes enclose no volume). Give planes that "
+        "look outwards on all sides of a point");
+  CHECK(scene_error("polyhedron vertices 4  0 0 0  1 0 0  0 1 0  1 1 0") ==
+        "s.sdl:1:1: this polyhedron is no solid (the vertices lie in one plane). Give vertices "
+        "that do not lie in one plane");
+  CHECK(scene_error("polyhedron vertices 4  0 0 0  1 0 0  2 0 0  3 0 0") ==
+        "s.sdl:1:1: this polyhedron is no solid (the vertices lie on one line). Give vertices that "
+        "do not lie in one plane");
 }
 
 TEST_CASE("errors of transforms") {
