@@ -146,6 +146,14 @@ void note_content(const Scene& scene, Plan& plan) {
                                 count(scene.shapes.size(), "shape", "shapes"),
                                 count(scene.lights.size(), "lamp", "lamps"),
                                 count(scene.media.size(), "medium", "media"), glasses));
+  const RenderSettings& settings = plan.settings;
+  plan.notes.insert(plan.notes.begin(),
+                    fmt::format("{} x {} pixels in {}, {}; {} of {:.3g} nm", plan.window.width(),
+                                plan.window.height(), count(plan.tiles.size(), "tile", "tiles"),
+                                count(static_cast<std::size_t>(settings.samples_per_pixel),
+                                      "sample a pixel", "samples a pixel"),
+                                count(static_cast<std::size_t>(settings.bands), "band", "bands"),
+                                plan.grid.width_nm()));
   const bool refracts = std::any_of(plan.materials.begin(), plan.materials.end(),
                                     [](const MaterialPlan& m) { return m.transmits; });
   if (!refracts)

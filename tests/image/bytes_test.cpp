@@ -79,7 +79,7 @@ TEST_CASE("what the plan skips changes no byte") {
                                    "push translate 1 0 -2 square pop");
     scene.settings.bands = bands;
     scene.settings.skip = true;
-    CHECK(make_plan(scene, scene.settings).notes.size() >= 3); // bands and tiles are skipped
+    CHECK(make_plan(scene, scene.settings).notes.size() >= 4); // bands and tiles are skipped
     const Picture skipped = picture(scene);
     scene.settings.skip = false;
     CHECK(picture(scene) == skipped);
