@@ -214,7 +214,7 @@ bool World::occluded(const RayState& state, double distance) const {
 
 std::size_t World::replay_closest(std::span<const RayState> states, int width) const {
   std::array<NearestCandidates, kWidest> nearest;
-  Query query = query_for(nullptr, nearest.data(), kInfinity);
+  Query query = impl_->query_for(nullptr, nearest.data(), kInfinity);
   std::size_t met = 0;
   for (std::size_t begin = 0; begin < states.size(); begin += static_cast<std::size_t>(width)) {
     const std::size_t count = std::min(static_cast<std::size_t>(width), states.size() - begin);
@@ -239,9 +239,9 @@ std::size_t World::replay_occluded(std::span<const RayState> states,
                                    std::span<const double> distances) const {
   std::size_t met = 0;
   for (std::size_t i = 0; i < states.size(); ++i) {
-    Query query = query_for(&states[i], nullptr, distances[i]);
+    Query query = impl_->query_for(&states[i], nullptr, distances[i]);
     RTCRay ray;
-    set_ray(ray, 0, states[i].ray, rounded_up(distances[i]));
+    set_ray(ray, 0, states[i].ray, query.farthest_coordinate, rounded_up(distances[i]));
     embree::occluded(impl_->scene.get(), query.context, ray);
     met += ray.tfar < 0.0f ? 1 : 0;
   }

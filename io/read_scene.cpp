@@ -33,9 +33,10 @@ std::string_view name_of(const SceneKeyword& keyword) {
 const std::vector<SceneKeyword>& all_keywords() {
   static const std::vector<SceneKeyword> list = [] {
     std::vector<SceneKeyword> rows;
-    for (const auto& table : {setting_keywords(), display_keywords(), camera_keywords(),
-                              transform_keywords(), material_keywords(), light_keywords(),
-                              shape_keywords(), boolean_keywords(), macro_keywords()})
+    for (const auto& table :
+         {setting_keywords(), display_keywords(), camera_keywords(), transform_keywords(),
+          material_keywords(), light_keywords(), shape_keywords(), lens_keywords(),
+          boolean_keywords(), macro_keywords()})
       rows.insert(rows.end(), table.begin(), table.end());
     return rows;
   }();

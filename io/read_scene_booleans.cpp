@@ -79,6 +79,24 @@ constexpr std::array kKeywords{
 
 } // namespace
 
+MaterialId operand_finish(SceneState& state, const SourcePosition& where) {
+  const BooleanScope& scope = *state.boolean;
+  const CurrentMaterial& own = state.material;
+  const bool other_filling =
+      is_transparent(own.finish) && scope.filling && !same(own.medium, *scope.filling);
+  if (other_filling)
+    warn_at(state, where,
+            "what fills this operand is ignored (one medium fills the whole solid, that of the "
+            "outermost boolean)");
+  const MaterialId id = material_id(state.scene, own.finish);
+  return id == scope.whole ? MaterialId{} : id;
+}
+
+void add_operand(SceneState& state, CsgTree tree) {
+  state.boolean->operands.push_back(std::move(tree));
+  state.material = state.boolean->material;
+}
+
 void check_operands(const SceneState& state, const Token& next) {
   const BooleanScope& scope = *state.boolean;
   if (is_complete(state, scope))

@@ -26,10 +26,10 @@ namespace {
 
 constexpr Range kFraction{"a fraction of the light", 0.0, 1.0};
 
-void warn_of_extrapolation(SceneState& state, const Token& keyword, const Glass& glass) {
+void warn_of_extrapolation(SceneState& state, const SourcePosition& where, const Glass& glass) {
   if (glass.lower_nm <= kLowerNm && glass.upper_nm >= kUpperNm) return;
   if (!state.warned_glasses.insert(&glass).second) return;
-  warn_at(state, keyword.where,
+  warn_at(state, where,
           fmt::format("glass {} is extrapolated beyond {:g}-{:g} nm (pictures need {}-{} nm)",
                       glass.name, glass.lower_nm, glass.upper_nm, kLowerNm, kUpperNm));
 }
@@ -86,11 +86,7 @@ void read_default_materials(SceneState& state, Arguments&) {
 
 void read_clear_glass(SceneState& state, Arguments& arguments) {
   const Glass& glass = read_glass(arguments);
-  warn_of_extrapolation(state, arguments.keyword(), glass);
-  Material clear;
-  clear.name = glass.name;
-  clear.reflectivity = clear.transparency = Curve::constant(1.0);
-  state.material = {clear, {glass.name, glass.dispersion, Curve::constant(0.0)}};
+  state.material = clear_glass(state, arguments.keyword().where, glass);
 }
 
 /// Clear glass of a law that is written out.
@@ -109,7 +105,7 @@ void read_dispersion_scale(SceneState& state, Arguments& arguments) {
 void read_use_material(SceneState& state, Arguments& arguments) {
   const Token name = arguments.name_token("the name of a material");
   const LibraryMaterial& entry = look_up_material(state.libraries, name, state.warn);
-  if (entry.glass) warn_of_extrapolation(state, arguments.keyword(), *entry.glass);
+  if (entry.glass) warn_of_extrapolation(state, arguments.keyword().where, *entry.glass);
   state.material = {finish(entry), filling(entry)};
 }
 
@@ -143,6 +139,14 @@ constexpr std::array kKeywords{
 };
 
 } // namespace
+
+CurrentMaterial clear_glass(SceneState& state, const SourcePosition& where, const Glass& glass) {
+  warn_of_extrapolation(state, where, glass);
+  Material clear;
+  clear.name = glass.name;
+  clear.reflectivity = clear.transparency = Curve::constant(1.0);
+  return {clear, {glass.name, glass.dispersion, Curve::constant(0.0)}};
+}
 
 std::span<const SceneKeyword> material_keywords() {
   return kKeywords;

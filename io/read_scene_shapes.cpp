@@ -12,26 +12,12 @@
 namespace abbe {
 namespace {
 
-/// The solid becomes an operand of the open boolean.
-void add_operand(SceneState& state, const Arguments& arguments, Convex solid) {
-  BooleanScope& scope = *state.boolean;
-  const CurrentMaterial& own = state.material;
-  const MaterialId id = material_id(state.scene, own.finish);
-  const bool other_filling =
-      is_transparent(own.finish) && scope.filling && !same(own.medium, *scope.filling);
-  if (other_filling)
-    warn_at(state, arguments.keyword().where,
-            "what fills this operand is ignored (one medium fills the whole solid, that of the "
-            "outermost boolean)");
-  scope.operands.emplace_back(std::move(solid), state.transform,
-                              id == scope.whole ? MaterialId{} : id);
-  state.material = scope.material;
-}
-
 void add_solid(SceneState& state, const Arguments& arguments, Convex solid) {
-  if (state.boolean) return add_operand(state, arguments, std::move(solid));
+  const SourcePosition& where = arguments.keyword().where;
+  if (state.boolean)
+    return add_operand(state, {std::move(solid), state.transform, operand_finish(state, where)});
   Shape shape = std::visit([](auto& s) { return Shape(std::move(s)); }, solid);
-  place_shape(state, arguments.keyword().where, std::move(shape), state.transform, state.material);
+  place_shape(state, where, std::move(shape), state.transform, state.material);
 }
 
 void read_sphere(SceneState& state, Arguments& arguments) {

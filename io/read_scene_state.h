@@ -92,11 +92,19 @@ struct SceneKeyword {
 [[nodiscard]] std::span<const SceneKeyword> material_keywords();
 [[nodiscard]] std::span<const SceneKeyword> light_keywords();
 [[nodiscard]] std::span<const SceneKeyword> shape_keywords();
+[[nodiscard]] std::span<const SceneKeyword> lens_keywords();
 [[nodiscard]] std::span<const SceneKeyword> boolean_keywords();
 [[nodiscard]] std::span<const SceneKeyword> macro_keywords();
 
 /// Reads one keyword with its arguments; for a boolean also its operands.
 void read_statement(SceneState& state, TokenReader& reader);
+
+/// The finish of the next operand, a solid: the current one; invalid when that is the whole's.
+/// Warns where something else should fill it.
+[[nodiscard]] MaterialId operand_finish(SceneState& state, const SourcePosition& where);
+
+/// The tree, in the frame of the outermost boolean, becomes an operand of the open one.
+void add_operand(SceneState& state, CsgTree tree);
 
 /// Throws unless `next` may begin a statement inside the open boolean.
 void check_operands(const SceneState& state, const Token& next);
@@ -115,6 +123,10 @@ void warn_at(const SceneState& state, const SourcePosition& where, const std::st
 
 /// Three numbers, each 0 or more: linear sRGB.
 [[nodiscard]] LinearRgb read_rgb(Arguments& arguments);
+
+/// The material that the keyword `glass` sets. Warns of a glass that is extrapolated.
+[[nodiscard]] CurrentMaterial clear_glass(SceneState& state, const SourcePosition& where,
+                                          const Glass& glass);
 
 /// Reads what follows the keyword `polyhedron`.
 [[nodiscard]] ConvexPolyhedron read_polyhedron(Arguments& arguments);
