@@ -36,8 +36,7 @@ Scene chart(const std::string& illuminant) {
 
 Curve patch_reflectance(int patch) {
   const test::Expected table("colorchecker_ohta.csv");
-  return Curve::samples81(
-      table.numbers(patch < 10 ? "p0" + std::to_string(patch) : "p" + std::to_string(patch)));
+  return Curve::samples81(table.numbers((patch < 10 ? "p0" : "p") + std::to_string(patch)));
 }
 
 /// The pixel in the middle of patch `index` (from 0), and six to each side of it.

@@ -1,5 +1,6 @@
 #include "io/read_materials.h"
 
+#include "io/read_library.h"
 #include "spectral/band_grid.h"
 #include "tests/catch.h"
 
@@ -143,4 +144,24 @@ TEST_CASE("a second name is a second entry of the same values") {
   CHECK(list[2].name == "b c");
   CHECK(list[2].diffuse == 0.25);
   CHECK(list[2].reflectivity == 0.5);
+}
+
+TEST_CASE("the ColorChecker's 24 patches go by their names and by those of ISCC-NBS") {
+  const std::string folder = std::string(ABBE_SOURCE_DIR) + "/scenes/";
+  const auto list = read_materials(folder + "colorchecker.mtl", {});
+  CHECK(list.size() == 24 + 22); // ModerateRed is both; StrongOrangeYellow is the thesis's own
+  const auto same = [&](const char* name, const char* other) {
+    INFO(name << ' ' << other);
+    const auto *a = find_entry(list, name), *b = find_entry(list, other);
+    REQUIRE(a != nullptr);
+    REQUIRE(b != nullptr);
+    CHECK(a->colour == b->colour);
+  };
+  same("DarkSkin", "ModerateBrown");
+  same("Green", "StrongYellowishGreen");
+  same("Red", "StrongRed");
+  same("White95", "White");
+  same("Black2", "Black");
+  for (const LibraryMaterial& thesis : read_materials(folder + "all.mtl", {}))
+    CHECK(find_entry(list, thesis.name) == nullptr); // both libraries can be used together
 }

@@ -47,7 +47,7 @@ TEST_CASE("errors of display keywords") {
   CHECK(scene_error("transfer 0") == "s.sdl:1:10: 0 is out of range for transfer (it is the "
                                      "display's gamma). Give a number from 0.1 to 10");
   CHECK(scene_error("whitePoint D66") == "s.sdl:1:12: unknown white point \"D66\" (no such "
-                                         "illuminant). Did you mean D65, D50 or D55?");
+                                         "illuminant). Did you mean D65?");
   CHECK(scene_error("whitePoint moonshine") ==
         "s.sdl:1:12: unknown white point \"moonshine\" (no such illuminant). Give an illuminant "
         "such as D50, x y, or none");
@@ -64,5 +64,5 @@ TEST_CASE("errors of display keywords") {
                                         "takes 2deg|10deg). Give 2deg or 10deg");
   CHECK(scene_error("display {") ==
         "s.sdl:1:9: \"{\" stands where the name of a display should (display takes NAME). Give a "
-        "name, in quotes if it has spaces");
+        "name; one with spaces goes in double quotes");
 }
