@@ -1,5 +1,6 @@
 #include "io/icc_profile.h"
 
+#include <fmt/format.h>
 #include <lcms2.h>
 
 #include <algorithm>
@@ -62,7 +63,7 @@ std::string profile_name(const DisplayEncoding& encoding) {
   const TransferFunction& transfer = encoding.transfer;
   if (transfer == encoding.space.transfer) return space;
   if (transfer == linear_transfer()) return "linear " + space;
-  return space + ", " + (transfer.knee == 0.0 ? "gamma " : "") + transfer.name;
+  return fmt::format("{}, {}{}", space, transfer.knee == 0.0 ? "gamma " : "", transfer.name);
 }
 
 std::vector<std::byte> icc_profile(const DisplayEncoding& encoding) {

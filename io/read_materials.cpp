@@ -56,7 +56,7 @@ void set_law(LibraryMaterial& entry, Arguments& arguments, const Warn& warn) {
   entry.law = read_law(arguments, warn);
 }
 
-constexpr std::array<LibraryKey<LibraryMaterial>, 19> kKeys{{
+constexpr std::array<LibraryKey<LibraryMaterial>, 20> kKeys{{
     {"reflectivity x", set_fraction<&LibraryMaterial::reflectivity>},
     {"specularExponent e",
      [](LibraryMaterial& entry, Arguments& arguments, const Warn&) {
@@ -93,9 +93,24 @@ constexpr std::array<LibraryKey<LibraryMaterial>, 19> kKeys{{
      [](LibraryMaterial& entry, Arguments& arguments, const Warn&) {
        entry.absorption_per_mm = arguments.number(kAbsorptionRange);
      }},
+    {"alsoCalled NAME",
+     [](LibraryMaterial& entry, Arguments& arguments, const Warn&) {
+       entry.other_name = arguments.name_token("a second name");
+     }},
     {"fresnel on|off", [](LibraryMaterial& entry, Arguments& arguments,
                           const Warn&) { entry.fresnel = arguments.on_off(); }},
 }};
+
+/// Adds the entries that have a second name under it too, after the others.
+void add_other_names(std::vector<LibraryMaterial>& entries) {
+  for (std::size_t i = 0, count = entries.size(); i < count; ++i) {
+    if (!entries[i].other_name) continue;
+    LibraryMaterial same = entries[i];
+    same.name = same.other_name->text;
+    if (find_entry(entries, same.name)) throw duplicate_entry(*same.other_name);
+    entries.push_back(std::move(same));
+  }
+}
 
 /// The part of a surface with this amount; an amount of 0 is the constant that means "absent".
 Curve part(const LibraryMaterial& entry, double amount) {
@@ -139,8 +154,10 @@ std::vector<LibraryMaterial> read_materials(const std::filesystem::path& file, c
 
 std::vector<LibraryMaterial> read_materials_text(std::string_view text, const std::string& file,
                                                  const Warn& warn) {
-  return read_library(text, file, kWords, std::span<const LibraryKey<LibraryMaterial>>(kKeys),
-                      warn);
+  auto entries =
+      read_library(text, file, kWords, std::span<const LibraryKey<LibraryMaterial>>(kKeys), warn);
+  add_other_names(entries);
+  return entries;
 }
 
 } // namespace abbe

@@ -15,6 +15,7 @@ namespace abbe {
 /// One entry of a material library: a colour and the amounts that scale it.
 struct LibraryMaterial {
   std::string name;
+  std::optional<Token> other_name;     ///< `alsoCalled`: a second entry with the same values
   Curve colour = Curve::constant(1.0); ///< `freqBreakdown`
   double ambient = 0.0;
   double diffuse = 0.0;

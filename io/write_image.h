@@ -12,9 +12,9 @@ namespace abbe {
 /// How pixels are stored, for each format that leaves a choice.
 struct OutputOptions {
   ExrPixel exr_pixel = ExrPixel::half;
-  SceneLinearSpace exr_space = SceneLinearSpace::rec709;
   TiffDepth tiff_depth = TiffDepth::bits8;
   int png_bits = 8; ///< 8 or 16
+  SceneLinearSpace exr_space = SceneLinearSpace::rec709;
 };
 
 /// True when `write_image` has a writer for the extension of the path, whatever its case.

@@ -133,3 +133,37 @@ TEST_CASE("metadata name every setting that shapes the picture and nothing of th
   CHECK_FALSE(tells([](RenderSettings& s) { s.tracing = Tracing::single; }));
   CHECK_FALSE(tells([](RenderSettings& s) { s.skip = false; }));
 }
+
+TEST_CASE("EXR in another space: white stays white, other colours have the published values") {
+  // Linear Rec. 709 to ACEScg with Bradford's adaptation, as OpenColorIO's ACES configurations have
+  // it: rows 0.613097 0.339523 0.047379, 0.070194 0.916354 0.013452, 0.020616 0.109570 0.869815.
+  // Rec. 709 to Rec. 2020 (ITU-R BT.2087): rows 0.6274 0.3293 0.0433, 0.0691 0.9195 0.0114,
+  // 0.0164 0.0880 0.8956.
+  const Scene scene = test::scene_from("imageSize 4 1 bands 3");
+  const Plan plan = make_plan(scene, scene.settings);
+  Film film({0, 0, 4, 1}, 0x1p-40, 0);
+  const LinearRgb colors[] = {{1, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int x = 0; x < 4; ++x)
+    film.add(x, 0, to_xyz(colors[x]), true, {});
+  const auto check = [&](SceneLinearSpace space, const std::vector<double>& expected,
+                         double margin) {
+    const SceneLinearImage image = develop_scene_linear(film, plan, space);
+    CHECK(image.space == space);
+    for (std::size_t c = 0; c < 3; ++c) {
+      CHECK(image.rgba[c] == Approx(1.0).epsilon(1e-6));
+      for (std::size_t pixel = 0; pixel < 3; ++pixel)
+        CHECK(image.rgba[4 * (pixel + 1) + c] == Approx(expected[3 * c + pixel]).margin(margin));
+    }
+  };
+  check(SceneLinearSpace::rec709, {1, 0, 0, 0, 1, 0, 0, 0, 1}, 1e-6);
+  check(SceneLinearSpace::acescg,
+        {0.613097, 0.339523, 0.047379, 0.070194, 0.916354, 0.013452, 0.020616, 0.109570, 0.869815},
+        2e-5);
+  check(SceneLinearSpace::rec2020,
+        {0.6274, 0.3293, 0.0433, 0.0691, 0.9195, 0.0114, 0.0164, 0.0880, 0.8956}, 6e-5);
+  // To ACES2065-1 likewise: 0.439633 0.382989 0.177378, 0.089776 0.813439 0.096784, ...
+  const SceneLinearImage ap0 = develop_scene_linear(film, plan, SceneLinearSpace::aces2065_1);
+  CHECK(ap0.rgba[4] == Approx(0.439633).margin(2e-5));
+  CHECK(ap0.rgba[8] == Approx(0.382989).margin(2e-5));
+  CHECK(ap0.rgba[9] == Approx(0.813439).margin(2e-5));
+}

@@ -199,6 +199,47 @@ TEST_CASE("outputs are named one by one and have their formats") {
   CHECK(parse({"render", "-o", "x.exr", "a.sdl"}).scene_path == "a.sdl");
 }
 
+TEST_CASE("the display's settings replace the scene's, each by itself") {
+  DisplaySettings scene;
+  scene.space = find_color_space("ntsc").value();
+  scene.gamut = GamutMapping::clip;
+  scene.white_point = WhitePoint::at({0.3, 0.3});
+  const auto settings = [&](std::vector<const char*> words) {
+    words.insert(words.begin(), {"render", "scene.sdl"});
+    const Options options = parse(words);
+    REQUIRE(options.command == Command::render);
+    return overridden(scene, options.display);
+  };
+  const DisplaySettings plain = settings({});
+  CHECK(plain.space == scene.space);
+  CHECK(plain.gamut == GamutMapping::clip);
+  CHECK(plain.white_point == scene.white_point);
+  CHECK_FALSE(plain.transfer.has_value());
+  CHECK(encoding_of(plain).transfer.exponent == 2.2);
+  CHECK(settings({"--display", "P3"}).space.name == "Display P3");
+  CHECK(settings({"--gamut", "scale"}).gamut == GamutMapping::scale);
+  CHECK(settings({"--transfer", "rec709"}).transfer == find_transfer("rec709"));
+  CHECK(settings({"--transfer", "1.8"}).transfer == power_transfer(1.8));
+  CHECK(settings({"--white-point", "0.3457,0.3585"}).white_point ==
+        WhitePoint::at({0.3457, 0.3585}));
+  CHECK_FALSE(settings({"--white-point", "none"}).white_point.has_value());
+  const auto d50 = settings({"--white-point", "d50"}).white_point;
+  REQUIRE(d50.has_value());
+  CHECK(d50->cie1931_2deg.x == Approx(0.3457).margin(5.1e-5));
+  CHECK(d50->cie1964_10deg.x == Approx(0.34773).margin(2e-4));
+}
+
+TEST_CASE("--exr-space names the primaries of EXR") {
+  const auto space = [](const char* word) {
+    return parse({"render", "a.sdl", "--exr-space", word}).output.exr_space;
+  };
+  CHECK(parse({"render", "a.sdl"}).output.exr_space == SceneLinearSpace::rec709);
+  CHECK(space("rec709") == SceneLinearSpace::rec709);
+  CHECK(space("acescg") == SceneLinearSpace::acescg);
+  CHECK(space("aces2065-1") == SceneLinearSpace::aces2065_1);
+  CHECK(space("rec2020") == SceneLinearSpace::rec2020);
+}
+
 TEST_CASE("plan and list are commands of their own") {
   const Options plan = parse({"plan", "a.sdl", "--bands", "3"});
   CHECK(plan.command == Command::plan);
@@ -233,7 +274,12 @@ TEST_CASE("a command line that cannot be understood ends with 2") {
       {"--jitter", "maybe"},  {"--filter", "sinc"},
       {"--gamut", "rotate"},  {"--tiff-depth", "12"},
       {"--png-depth", "32"},  {"--integrator", "path"},
-      {"--shadows"},
+      {"--shadows"},          {"--observer", "5"},
+      {"--display", "crt"},   {"--transfer", "0"},
+      {"--transfer", "log"},  {"--white-point", "D66"},
+      {"--white-point", "1"}, {"--white-point", "0.3,0"},
+      {"--white-point", "x"}, {"--white-point", "0.1,0.01"},
+      {"--exr-space", "p3"},
   };
   for (const auto& words : wrong) {
     std::vector<const char*> all{"render", "a.sdl"};
@@ -255,7 +301,9 @@ TEST_CASE("help and version are printed and end with 0") {
     CHECK(contains(help.out, word));
   const Outcome render_help = folder.run("render --help");
   CHECK(render_help.exit_code == 0);
-  for (const char* word : {"--spp", "--spectral", "--exact", "--threads", "SCENE"})
+  for (const char* word :
+       {"--spp", "--display", "--transfer", "--white-point", "--gamut", "--exr-space", "--observer",
+        "display-p3", "--spectral", "--exact", "--threads", "SCENE"})
     CHECK(contains(render_help.out, word));
   CHECK(help.error.empty());
 }

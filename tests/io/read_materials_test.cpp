@@ -1,5 +1,6 @@
 #include "io/read_materials.h"
 
+#include "io/read_library.h"
 #include "spectral/band_grid.h"
 #include "tests/catch.h"
 
@@ -118,6 +119,12 @@ TEST_CASE("errors of a material library") {
   CHECK(error_of("def a { freqBreakdown 80 0 }") ==
         "m.mtl:1:23: 80 values are announced for freqBreakdown (libraries hold samples at 380, 385 "
         "... 780 nm). Give 81 values");
+  CHECK(error_of("def a { alsoCalled A }") ==
+        "m.mtl:1:20: \"A\" is defined twice (names must differ by more than upper and lower case). "
+        "Rename or remove one of them");
+  CHECK(error_of("def a { alsoCalled b } def c { alsoCalled b }") ==
+        "m.mtl:1:43: \"b\" is defined twice (names must differ by more than upper and lower case). "
+        "Rename or remove one of them");
   CHECK(error_of("def a { Vnumber 1 }") == "m.mtl:1:9: unknown key \"Vnumber\" (no such key in an "
                                            "entry of def). Did you mean Vnum?");
   CHECK(error_of("filter a { }") ==
@@ -126,4 +133,35 @@ TEST_CASE("errors of a material library") {
   CHECK(error_of("def a { endmaterial") ==
         "m.mtl:1:9: \"}\" is missing before \"endmaterial\" (an entry is def NAME { keys }). Add "
         "it after the last key");
+}
+
+TEST_CASE("a second name is a second entry of the same values") {
+  const auto list = read_materials_text(
+      "def a { alsoCalled \"b c\" diffuseAmount 0.25 reflectivity 0.5 } def d { }", "m.mtl", {});
+  REQUIRE(list.size() == 3);
+  CHECK(list[0].name == "a");
+  CHECK(list[1].name == "d");
+  CHECK(list[2].name == "b c");
+  CHECK(list[2].diffuse == 0.25);
+  CHECK(list[2].reflectivity == 0.5);
+}
+
+TEST_CASE("the ColorChecker's 24 patches go by their names and by those of ISCC-NBS") {
+  const std::string folder = std::string(ABBE_SOURCE_DIR) + "/scenes/";
+  const auto list = read_materials(folder + "colorchecker.mtl", {});
+  CHECK(list.size() == 24 + 22); // ModerateRed is both; StrongOrangeYellow is the thesis's own
+  const auto same = [&](const char* name, const char* other) {
+    INFO(name << ' ' << other);
+    const auto *a = find_entry(list, name), *b = find_entry(list, other);
+    REQUIRE(a != nullptr);
+    REQUIRE(b != nullptr);
+    CHECK(a->colour == b->colour);
+  };
+  same("DarkSkin", "ModerateBrown");
+  same("Green", "StrongYellowishGreen");
+  same("Red", "StrongRed");
+  same("White95", "White");
+  same("Black2", "Black");
+  for (const LibraryMaterial& thesis : read_materials(folder + "all.mtl", {}))
+    CHECK(find_entry(list, thesis.name) == nullptr); // both libraries can be used together
 }

@@ -146,6 +146,19 @@ TEST_CASE("scene-linear EXR has bare R G B A, the crop's windows and the colour 
   }
 }
 
+TEST_CASE("EXR in another space has its colour tag") {
+  const Folder folder;
+  const fs::path path = folder.path / "picture.exr";
+  SceneLinearImage image = scene_linear(crop);
+  for (const auto& [space, id] : {std::pair{SceneLinearSpace::acescg, "lin_ap1_scene"},
+                                  {SceneLinearSpace::aces2065_1, "lin_ap0_scene"},
+                                  {SceneLinearSpace::rec2020, "lin_rec2020_scene"}}) {
+    image.space = space;
+    write_exr(path, image, ExrPixel::half);
+    CHECK(text_attribute(Imf::InputFile(path.c_str()).header(), "colorInteropID") == id);
+  }
+}
+
 TEST_CASE("scene-linear EXR keeps every pixel, below 0 and above 1 too") {
   const Folder folder;
   const fs::path path = folder.path / "picture.exr";

@@ -1,5 +1,6 @@
 #include "io/write_png.h"
 
+#include "io/icc_profile.h"
 #include "tests/catch.h"
 
 #include <png.h>
@@ -7,6 +8,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -159,4 +161,39 @@ TEST_CASE("a PNG without pixels or of unknown depth is an error and no file") {
   CHECK_THROWS_WITH(write_png(path, ramp(full_frame, crop, 255), 12),
                     "cannot write " + path.string() + ": PNG takes 8 or 16 bits here, not 12");
   CHECK(fs::is_empty(folder.path));
+}
+
+TEST_CASE("a PNG for another display than sRGB has its profile, the same every time") {
+  const Folder folder;
+  DisplayImage image = ramp(full_frame, full_frame, 255);
+  image.encoding.space = find_color_space("display-p3").value();
+  write_png(folder.path / "p3.png", image);
+  const Png file(folder.path / "p3.png");
+  int intent = -1;
+  CHECK(png_get_sRGB(file.png, file.info, &intent) == 0);
+  png_charp name = nullptr;
+  int compression = -1;
+  png_bytep profile = nullptr;
+  png_uint_32 size = 0;
+  REQUIRE(png_get_iCCP(file.png, file.info, &name, &compression, &profile, &size) != 0);
+  CHECK(std::string(name) == "Display P3");
+  const std::vector<std::byte> expected = icc_profile(image.encoding);
+  REQUIRE(size == expected.size());
+  CHECK(std::memcmp(profile, expected.data(), size) == 0);
+  write_png(folder.path / "again.png", image);
+  CHECK(content(folder.path / "p3.png") == content(folder.path / "again.png"));
+}
+
+TEST_CASE("every display's profile is one that libpng takes") {
+  const Folder folder;
+  DisplayImage image = ramp(full_frame, full_frame, 255);
+  for (const ColorSpace& space : color_spaces())
+    for (const TransferFunction& transfer : {space.transfer, power_transfer(2.2)}) {
+      INFO(space.name);
+      image.encoding = {space, transfer};
+      if (image.encoding == DisplayEncoding{}) continue;
+      write_png(folder.path / "any.png", image);
+      const Png file(folder.path / "any.png");
+      CHECK(png_get_valid(file.png, file.info, PNG_INFO_iCCP) != 0);
+    }
 }

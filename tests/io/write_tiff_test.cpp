@@ -119,7 +119,8 @@ TEST_CASE("TIFF has the tags of its depth, and no date, host or alpha") {
     CHECK(tiff.get<const char*>(TIFFTAG_SOFTWARE) == std::string("abbe"));
     CHECK(tiff.get<const char*>(TIFFTAG_IMAGEDESCRIPTION) ==
           std::string("abbe/scene: prism\nabbe/seed: 7\n"));
-    CHECK(tiff.icc_profile() == (is_float ? linear_srgb_profile() : srgb_profile()));
+    CHECK(tiff.icc_profile() ==
+          (is_float ? icc_profile({srgb_space(), linear_transfer()}) : icc_profile({})));
     for (const std::uint32_t tag :
          {TIFFTAG_DATETIME, TIFFTAG_HOSTCOMPUTER, TIFFTAG_ARTIST, TIFFTAG_DOCUMENTNAME,
           TIFFTAG_XPOSITION, TIFFTAG_YPOSITION, TIFFTAG_PIXAR_IMAGEFULLWIDTH})
@@ -208,4 +209,15 @@ TEST_CASE("a TIFF without pixels is an error and no file") {
                       "cannot write " + path.string() + ": the picture has no pixels");
     CHECK(fs::is_empty(folder.path));
   }
+}
+
+TEST_CASE("a TIFF for another display has its profile, linear in floats") {
+  const Folder folder;
+  const fs::path path = folder.path / "picture.tif";
+  DisplayImage image = ramp(full_frame, full_frame, 255);
+  image.encoding = {find_color_space("ntsc").value(), power_transfer(2.5)};
+  write_tiff(path, image, TiffDepth::bits16);
+  CHECK(Tiff(path).icc_profile() == icc_profile(image.encoding));
+  write_tiff(path, image, TiffDepth::float32);
+  CHECK(Tiff(path).icc_profile() == icc_profile({image.encoding.space, linear_transfer()}));
 }
