@@ -1,9 +1,9 @@
 #include "io/list.h"
 
+#include "io/read_lamp.h"
 #include "io/read_lights.h"
 #include "io/read_materials.h"
 #include "spectral/glass.h"
-#include "spectral/illuminant.h"
 #include "spectral/observer.h"
 
 #include <fmt/format.h>
@@ -49,8 +49,8 @@ void list_lights(const Options& options) {
   if (const auto path = library(options, "lights.filter"))
     for (const LightSpectrum& light : read_lights(*path, print_warning))
       print_light(light.name, spectrum(light), path->string());
-  for (const std::string& name : illuminant_names())
-    print_light(name, *find_illuminant(name), "built in");
+  for (const std::string& name : lamp_names())
+    print_light(name, *read_lamp({TokenKind::word, name, {}}), "built in");
 }
 
 void list_materials(const Options& options) {
