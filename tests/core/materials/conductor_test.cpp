@@ -94,10 +94,11 @@ TEST_CASE("a mirror of metal shows the sky times its reflectance, per band and a
 TEST_CASE("metal inside glass reflects by the index of the glass") {
   // Straight down into a block of constant index, back up from silver at its bottom: two surfaces
   // of glass, T^2 R / (1 - R (1 - T)), without the sky's reflection at the top, which adds 1 - T.
-  const Scene scene = test::scene_from(
-      "fieldOfView 0.0001 imageSize 1 1 samples 1 jitter off background E 1 minThroughput 0\n"
-      "maxRecursionDepth 60 eye 0 0 9 lookAt 0 0 0 cauchy 1.6 0 0\n"
-      "push scale 1 1 1 cube pop metal Ag push scale 0.5 0.5 1 square pop");
+  const Scene scene =
+      test::scene_from("fieldOfView 0.0001 imageSize 1 1 samples 1 jitter off exact on background "
+                       "E 1 minThroughput 0\n"
+                       "maxRecursionDepth 60 eye 0 0 9 lookAt 0 0 0 cauchy 1.6 0 0\n"
+                       "push scale 1 1 1 cube pop metal Ag push scale 0.5 0.5 1 square pop");
   const Film film = std::move(test::render_scene(scene, true).film);
   const Metal& silver = *find_metal("Ag");
   const double r_top = 0.6 * 0.6 / (2.6 * 2.6), t = 1.0 - r_top;
