@@ -12,11 +12,19 @@ BandTable::BandTable(const std::vector<double>& values)
 }
 
 BandTable BandTable::at_centers(const BandGrid& grid, const Curve& curve, bool keep_constant) {
-  if (const auto constant = curve.constant_value(); constant && keep_constant)
-    return {static_cast<float>(*constant), grid.count()};
-  std::vector<double> values;
+  std::vector<double> nm;
   for (int b = 0; b < grid.count(); ++b)
-    values.push_back(curve.at(grid.center_nm(b)));
+    nm.push_back(grid.center_nm(b));
+  return at_wavelengths(nm, curve, keep_constant);
+}
+
+BandTable BandTable::at_wavelengths(const std::vector<double>& nm, const Curve& curve,
+                                    bool keep_constant) {
+  if (const auto constant = curve.constant_value(); constant && keep_constant)
+    return {static_cast<float>(*constant), static_cast<int>(nm.size())};
+  std::vector<double> values;
+  for (const double lambda_nm : nm)
+    values.push_back(curve.at(lambda_nm));
   return BandTable(values);
 }
 

@@ -30,6 +30,10 @@ public:
   [[nodiscard]] static BandTable at_centers(const BandGrid& grid, const Curve& curve,
                                             bool keep_constant);
 
+  /// The same at any wavelengths, one per band.
+  [[nodiscard]] static BandTable at_wavelengths(const std::vector<double>& nm, const Curve& curve,
+                                                bool keep_constant);
+
   [[nodiscard]] bool zero() const { return zero_; }
   [[nodiscard]] std::optional<float> constant() const { return constant_; }
   [[nodiscard]] float operator[](int band) const { return values_[static_cast<std::size_t>(band)]; }

@@ -17,7 +17,7 @@ const double* PathWavelengths::indices(MediumId medium) {
   if (e.path != path_) {
     const IndexTable& index = plan_.medium(medium).index;
     for (int b = 0; b < plan_.grid.count(); ++b)
-      e.indices[static_cast<std::size_t>(b)] = index.at(plan_.grid.wavelength_nm(b, offset_));
+      e.indices[static_cast<std::size_t>(b)] = index.at(plan_.wavelength_nm(b, offset_));
     e.path = path_;
   }
   return e.indices.data();

@@ -1,6 +1,7 @@
 #include "core/plan.h"
 
 #include "core/plan_extent.h"
+#include "core/plan_lines.h"
 #include "core/plan_tiles.h"
 #include "spectral/observer.h"
 
@@ -15,7 +16,8 @@ namespace {
 
 /// Builds the list of sources and their accumulators. At the standard's own sampling a source's
 /// spectrum can be multiplied in per band, so one accumulator serves all; elsewhere the product of
-/// spectrum and observer is folded per source, and equal spectra share an accumulator.
+/// spectrum and observer is folded per source, and equal spectra share an accumulator. So it is for
+/// spectral lines, whose colour is that of their wavelength and not of their band.
 class SourcePlanner {
 public:
   SourcePlanner(Plan& plan) : plan_(plan) {
@@ -25,7 +27,7 @@ public:
 
   int add(const Curve& spectrum) {
     SourcePlan source;
-    if (per_band_) {
+    if (per_band_ && spectrum.spectral_lines().empty()) {
       const auto constant = spectrum.constant_value();
       source.factor = constant && plan_.settings.skip
                           ? BandTable(static_cast<float>(*constant), plan_.grid.count())
@@ -61,10 +63,19 @@ private:
   std::vector<Curve> spectra_;
 };
 
+/// Where curves of materials are read: the bands' centres, or their lines.
+std::vector<double> table_wavelengths(const Plan& plan) {
+  std::vector<double> nm;
+  for (int b = 0; b < plan.grid.count(); ++b)
+    nm.push_back(plan.wavelength_nm(b, 0.5));
+  return nm;
+}
+
 void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
   const RenderSettings& settings = plan.settings;
+  const std::vector<double> nm = table_wavelengths(plan);
   const auto table = [&](const Curve& curve) {
-    return BandTable::at_centers(plan.grid, curve, settings.skip);
+    return BandTable::at_wavelengths(nm, curve, settings.skip);
   };
   const auto largest = [&](const BandTable& t) {
     float most = 0.0f;
@@ -81,6 +92,11 @@ void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
     m.transparency = table(material.transparency);
     m.specular_exponent = static_cast<float>(material.specular_exponent);
     m.fresnel = material.fresnel;
+    m.conductor = material.metal.has_value();
+    if (m.conductor) {
+      m.metal_n = table(material.metal->n);
+      m.metal_k = table(material.metal->k);
+    }
     m.dielectric = !m.transparency.zero();
     m.reflects = largest(m.reflectivity) > static_cast<float>(settings.min_reflectivity);
     m.transmits = largest(m.transparency) > static_cast<float>(settings.min_transparency);
@@ -96,8 +112,9 @@ void plan_media(const Scene& scene, Plan& plan) {
   for (const Medium& medium : scene.media) {
     MediumPlan m;
     m.index = IndexTable(medium.index);
-    m.absorption_per_unit = BandTable::at_centers(
-        plan.grid, medium.absorption_per_mm.scaled(scene.mm_per_unit), plan.settings.skip);
+    m.absorption_per_unit = BandTable::at_wavelengths(
+        table_wavelengths(plan), medium.absorption_per_mm.scaled(scene.mm_per_unit),
+        plan.settings.skip);
     m.absorbs = !m.absorption_per_unit.zero();
     plan.media.push_back(std::move(m));
   }
@@ -169,12 +186,20 @@ void note_content(const Scene& scene, Plan& plan) {
 
 } // namespace
 
+double Plan::wavelength_nm(int band, double offset) const {
+  if (!lines.empty())
+    if (const auto& own = lines[static_cast<std::size_t>(band)]; !own.empty())
+      return line_wavelength_nm(own, offset);
+  return grid.wavelength_nm(band, offset);
+}
+
 Plan make_plan(const Scene& scene, const RenderSettings& settings) {
   Plan plan;
   plan.settings = settings;
   plan.grid = BandGrid(settings.bands);
   plan.stride = padded_band_count(settings.bands);
 
+  plan.lines = lines_of_bands(scene, plan.grid);
   SourcePlanner sources(plan);
   sources.add(scene.background);
   sources.add(scene.global_ambient);

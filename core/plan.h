@@ -23,6 +23,8 @@ struct MaterialPlan {
   BandTable ambient, diffuse, specular, reflectivity, transparency;
   float specular_exponent = 1.0f;
   bool fresnel = true;
+  BandTable metal_n, metal_k; ///< of a conductor
+  bool conductor = false;
   bool dielectric = false; ///< lets light in, so reflection too goes by its index
   bool reflects = false, transmits = false, lit = false; ///< what paths follow
   int emission_source = -1; ///< index into Plan::sources; negative: emits nothing
@@ -55,6 +57,7 @@ struct Plan {
   int first_band = 0, last_band = 0; ///< only these bands can carry light to an observer
   int live_first = 0, live_last = 0; ///< the same, whether or not skipping is on
 
+  std::vector<std::vector<SpectralLine>> lines; ///< by band; see lines_of_bands
   std::vector<SourcePlan> sources; ///< background, ambient light, the lamps, emitting materials
   std::vector<AccumulatorPlan> accumulators;
   std::vector<MaterialPlan> materials; ///< by MaterialId
@@ -71,6 +74,10 @@ struct Plan {
   [[nodiscard]] bool follows_all() const {
     return settings.exact || settings.max_fan >= live_last - live_first;
   }
+
+  /// The wavelength at the place `offset` (0..1) of a band: a line's own where lines are all the
+  /// light in the band.
+  [[nodiscard]] double wavelength_nm(int band, double offset) const;
 
   static constexpr int kBackground = 0, kAmbient = 1;
   [[nodiscard]] int light_source(std::size_t light) const { return 2 + static_cast<int>(light); }

@@ -283,14 +283,23 @@ Options parse_command_line(int argc, const char* const* argv) {
   add_settings(*plan, options.settings);
 
   CLI::App* list = app.add_subcommand("list", "List what scenes can name");
-  list->add_option("what", options.list_what, "glasses, lights or materials")
-      ->required()
-      ->check(CLI::IsMember({"glasses", "lights", "materials"}));
+  list->add_option("what", options.list_what, "glasses, lights, materials or metals")
+      ->check(CLI::IsMember({"glasses", "lights", "materials", "metals"}));
   list->add_option("library", options.list_library,
                    "Light or material library to list too (default: those beside the scenes)");
+  list->add_option("--plot", options.plot_name,
+                   "Draw a light's spectrum, a material's or metal's reflectance, a glass's n")
+      ->type_name("NAME");
+  list->add_option("--plot-file", options.plot_file, "Draw it into a PNG instead of the terminal")
+      ->needs("--plot")
+      ->type_name("FILE");
 
   try {
     app.parse(argc, argv);
+    if (list->parsed() && options.list_what.empty() && !options.plot_name)
+      throw CLI::RequiredError("what (glasses, lights, materials or metals)");
+    if (options.plot_file && options.plot_file->extension() != ".png")
+      throw CLI::ValidationError("--plot-file", "the name should end in .png");
   } catch (const CLI::ParseError& error) {
     options.exit_code = app.exit(error) == 0 ? 0 : kExitUsage;
     return options;

@@ -52,8 +52,10 @@ struct Options {
   std::vector<std::filesystem::path> outputs; ///< empty: NAME.exr and NAME.tiff
   std::optional<std::filesystem::path> spectral_output;
   bool quiet = false;
-  std::string list_what; ///< glasses, lights or materials
+  std::string list_what; ///< glasses, lights, materials or metals; empty: all, for a plot
   std::optional<std::filesystem::path> list_library;
+  std::optional<std::string> plot_name; ///< the curve to draw instead of a list
+  std::optional<std::filesystem::path> plot_file;
 };
 
 /// Exit codes: a mistake of the user's is 2, any other failure 1, an interruption 130.

@@ -1,9 +1,12 @@
 #include "io/list.h"
 
+#include "core/materials/conductor.h"
+#include "io/list_plot.h"
+#include "io/read_lamp.h"
 #include "io/read_lights.h"
 #include "io/read_materials.h"
 #include "spectral/glass.h"
-#include "spectral/illuminant.h"
+#include "spectral/metal.h"
 #include "spectral/observer.h"
 
 #include <fmt/format.h>
@@ -15,14 +18,6 @@ namespace {
 
 void print_warning(const std::string& message) {
   fmt::print(stderr, "warning: {}\n", message);
-}
-
-/// The library asked for, else the one beside the scenes, where it exists.
-std::optional<std::filesystem::path> library(const Options& options, const char* name) {
-  if (options.list_library) return options.list_library;
-  for (const char* folder : {".", "scenes"})
-    if (const auto path = std::filesystem::path(folder) / name; exists(path)) return path;
-  return std::nullopt;
 }
 
 std::string number_or_dash(double value, int decimals) {
@@ -46,15 +41,15 @@ void print_light(const std::string& name, const Curve& spectrum, const std::stri
 
 void list_lights(const Options& options) {
   fmt::print("{:<16} {:>8} {:>8} {:>8}  {}\n", "light", "Y", "x", "y", "from");
-  if (const auto path = library(options, "lights.filter"))
+  if (const auto path = listed_library(options, "lights.filter"))
     for (const LightSpectrum& light : read_lights(*path, print_warning))
       print_light(light.name, spectrum(light), path->string());
-  for (const std::string& name : illuminant_names())
-    print_light(name, *find_illuminant(name), "built in");
+  for (const std::string& name : lamp_names())
+    print_light(name, *read_lamp({TokenKind::word, name, {}}), "built in");
 }
 
 void list_materials(const Options& options) {
-  const auto path = library(options, "all.mtl");
+  const auto path = listed_library(options, "all.mtl");
   if (!path) {
     fmt::print("no material library here; name one: abbe list materials FILE\n");
     return;
@@ -67,10 +62,24 @@ void list_materials(const Options& options) {
                refractive_index(filling(m).index, kLineD_nm), path->string());
 }
 
+void list_metals() {
+  fmt::print("{:<8} {:>9} {:>9} {:>9} {:>9}\n", "metal", "n_d", "k_d", "R_450", "R_650");
+  const auto reflectance = [](const Metal& metal, double nm) {
+    return conductor_reflectance(1.0, 1.0, metal.n.at(nm), metal.k.at(nm));
+  };
+  for (const Metal& metal : metal_catalogue())
+    fmt::print("{:<8} {:>9.5f} {:>9.5f} {:>9.4f} {:>9.4f}\n", metal.name, metal.n.at(kLineD_nm),
+               metal.k.at(kLineD_nm), reflectance(metal, 450.0), reflectance(metal, 650.0));
+}
+
 } // namespace
 
 void list(const Options& options) {
-  if (options.list_what == "glasses")
+  if (options.plot_name)
+    list_plot(options);
+  else if (options.list_what == "metals")
+    list_metals();
+  else if (options.list_what == "glasses")
     list_glasses();
   else if (options.list_what == "lights")
     list_lights(options);

@@ -4,7 +4,7 @@
 
 namespace abbe {
 
-/// Prints the glasses, lights or materials that scenes can name.
+/// Prints the glasses, lights, materials or metals that scenes can name, or plots one of them.
 void list(const Options& options);
 
 } // namespace abbe

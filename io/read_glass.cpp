@@ -1,6 +1,7 @@
-// A glass of the catalogue, in a scene or in a material library:
+// A glass or a metal of the catalogue, in a scene or in a material library:
 //
 //   glass N-BK7
+//   metal Au
 
 #include "io/read_glass.h"
 
@@ -16,6 +17,16 @@ const Glass& read_glass(Arguments& arguments) {
     names.push_back(glass.name);
   throw ReadError(name.where, "unknown glass " + shown(name), "no such name in the glass catalogue",
                   did_you_mean(name.text, names, "abbe list glasses shows them all"));
+}
+
+const Metal& read_metal(Arguments& arguments) {
+  const Token name = arguments.name_token("the name of a metal");
+  if (const Metal* metal = find_metal(name.text)) return *metal;
+  std::string symbols;
+  for (const Metal& metal : metal_catalogue())
+    symbols += (symbols.empty() ? "" : " ") + metal.name;
+  throw ReadError(name.where, "unknown metal " + shown(name),
+                  "no such symbol in the catalogue of metals", "The metals are " + symbols);
 }
 
 } // namespace abbe

@@ -51,7 +51,7 @@ template <class Entry>
 [[nodiscard]] ReadError duplicate_entry(const Token& name);
 [[nodiscard]] ReadError missing_key(const Token& name, std::string_view usage);
 
-/// All entries of a library. `Entry` has a `name`.
+/// All entries of a library. `Entry` has a `name`, and `remarks` that keep what is warned of.
 template <class Entry>
 [[nodiscard]] std::vector<Entry>
 read_library(std::string_view text, const std::string& file, const LibraryWords& words,
@@ -68,7 +68,10 @@ read_library(std::string_view text, const std::string& file, const LibraryWords&
     std::vector<bool> seen(keys.size(), false);
     while (const auto row = read_key(reader, words, usages, seen)) {
       Arguments arguments(reader, reader.next(), keys[*row].usage);
-      keys[*row].read(entry, arguments, warn);
+      keys[*row].read(entry, arguments, [&](const std::string& message) {
+        entry.remarks.push_back(message);
+        if (warn) warn(message);
+      });
       seen[*row] = true;
     }
     for (std::size_t row = 0; row < keys.size(); ++row)

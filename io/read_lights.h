@@ -15,6 +15,7 @@ struct LightSpectrum {
   std::string name;
   double intensity = 1.0;
   Curve colour = Curve::constant(1.0); ///< relative to the equal-energy spectrum
+  std::vector<std::string> remarks;    ///< what the reader warned of
 };
 
 /// The light's value per wavelength: colour times intensity.

@@ -14,6 +14,7 @@
 
 #include "io/read_materials.h"
 
+#include "io/read_absorption.h"
 #include "io/read_dispersion.h"
 #include "io/read_glass.h"
 #include "io/read_library.h"
@@ -56,7 +57,7 @@ void set_law(LibraryMaterial& entry, Arguments& arguments, const Warn& warn) {
   entry.law = read_law(arguments, warn);
 }
 
-constexpr std::array<LibraryKey<LibraryMaterial>, 20> kKeys{{
+constexpr std::array<LibraryKey<LibraryMaterial>, 23> kKeys{{
     {"reflectivity x", set_fraction<&LibraryMaterial::reflectivity>},
     {"specularExponent e",
      [](LibraryMaterial& entry, Arguments& arguments, const Warn&) {
@@ -91,12 +92,18 @@ constexpr std::array<LibraryKey<LibraryMaterial>, 20> kKeys{{
      }},
     {"absorption x",
      [](LibraryMaterial& entry, Arguments& arguments, const Warn&) {
-       entry.absorption_per_mm = arguments.number(kAbsorptionRange);
+       entry.absorption_per_mm = Curve::constant(arguments.number(kAbsorptionRange));
      }},
-    {"alsoCalled NAME",
+    {kAbsorptionTableUsage,
      [](LibraryMaterial& entry, Arguments& arguments, const Warn&) {
-       entry.other_name = arguments.name_token("a second name");
+       entry.absorption_per_mm = read_absorption_table(arguments);
      }},
+    {kInternalTransmittanceUsage,
+     [](LibraryMaterial& entry, Arguments& arguments, const Warn&) {
+       entry.absorption_per_mm = read_internal_transmittance(arguments);
+     }},
+    {"metal NAME", [](LibraryMaterial& entry, Arguments& arguments,
+                      const Warn&) { entry.metal = &read_metal(arguments); }},
     {"fresnel on|off", [](LibraryMaterial& entry, Arguments& arguments,
                           const Warn&) { entry.fresnel = arguments.on_off(); }},
 }};
@@ -130,6 +137,10 @@ Material finish(const LibraryMaterial& entry) {
   material.reflectivity = part(entry, entry.reflectivity);
   material.transparency = part(entry, entry.transparency);
   material.fresnel = entry.fresnel;
+  if (entry.metal) { // which lets no light in
+    material.metal = ConductorIndex{entry.metal->n, entry.metal->k};
+    material.transparency = Curve::constant(0.0);
+  }
   return material;
 }
 
@@ -144,7 +155,7 @@ Medium filling(const LibraryMaterial& entry) {
     medium.index = ThesisScaled{entry.speed_of_light, entry.v_number};
   if (entry.dispersion_scale != 1.0)
     medium.index = exaggerated(medium.index, entry.dispersion_scale);
-  medium.absorption_per_mm = Curve::constant(entry.absorption_per_mm);
+  medium.absorption_per_mm = entry.absorption_per_mm;
   return medium;
 }
 

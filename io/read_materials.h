@@ -3,6 +3,7 @@
 #include "core/materials/material.h"
 #include "io/token.h"
 #include "spectral/glass.h"
+#include "spectral/metal.h"
 
 #include <filesystem>
 #include <optional>
@@ -30,7 +31,9 @@ struct LibraryMaterial {
   const Glass* glass = nullptr;  ///< where set, it replaces the two above
   std::optional<Dispersion> law; ///< the same, for an index that is written out
   double dispersion_scale = 1.0; ///< about n_d
-  double absorption_per_mm = 0.0;
+  const Metal* metal = nullptr;
+  Curve absorption_per_mm = Curve::constant(0.0);
+  std::vector<std::string> remarks; ///< what the reader warned of
 };
 
 /// The surface: each part is its amount times the colour; an amount of 0 is the constant 0.

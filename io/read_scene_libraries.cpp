@@ -7,9 +7,9 @@
 
 #include "io/read_scene_libraries.h"
 
+#include "io/read_lamp.h"
 #include "io/read_library.h"
 #include "io/similar_names.h"
-#include "spectral/illuminant.h"
 
 #include <fmt/format.h>
 
@@ -32,7 +32,7 @@ constexpr Kind<LibraryMaterial> kMaterials{"materials", "all.mtl", read_material
 
 template <class Entry>
 void add_file(SceneLibrary<Entry>& library, const Kind<Entry>& kind, const fs::path& folder,
-              const Token& name, const Warn& warn) {
+              const Token& name) {
   if (library.in_use)
     throw ReadError(name.where, fmt::format("{} stands too late", kind.keyword),
                     "a name was looked up before it", "Move it before the first use of a name");
@@ -42,7 +42,7 @@ void add_file(SceneLibrary<Entry>& library, const Kind<Entry>& kind, const fs::p
     throw ReadError(name.where, fmt::format("there is no library \"{}\"", file.string()),
                     "libraries are found relative to the scene's folder",
                     "Check the name, or write the whole path");
-  for (Entry& entry : kind.read(file, warn)) {
+  for (Entry& entry : kind.read(file, {})) {
     if (find_entry(library.entries, entry.name))
       throw ReadError(name.where, fmt::format("{} defines \"{}\" again", file.string(), entry.name),
                       fmt::format("it is already in {}", library.files),
@@ -52,17 +52,24 @@ void add_file(SceneLibrary<Entry>& library, const Kind<Entry>& kind, const fs::p
   library.files += (library.files.empty() ? "" : ", ") + file.string();
 }
 
+/// Warns of what is odd about an entry when it is first used, and of nothing else in the file.
 template <class Entry>
 const Entry* look_up(SceneLibrary<Entry>& library, const Kind<Entry>& kind, const fs::path& folder,
                      std::string_view name, const Warn& warn) {
   const fs::path file = folder / kind.default_file;
   std::error_code error;
   if (!library.in_use && library.files.empty() && fs::is_regular_file(file, error)) {
-    library.entries = kind.read(file, warn);
+    library.entries = kind.read(file, {});
     library.files = file.string();
   }
   library.in_use = true;
-  return find_entry(library.entries, name);
+  for (Entry& entry : library.entries) {
+    if (!same_name(entry.name, name)) continue;
+    for (const std::string& remark : std::exchange(entry.remarks, {}))
+      warn(remark);
+    return &entry;
+  }
+  return nullptr;
 }
 
 template <class Entry>
@@ -82,26 +89,25 @@ std::string searched(const SceneLibrary<Entry>& library, const Kind<Entry>& kind
 
 } // namespace
 
-void add_lights(SceneLibraries& libraries, const Token& file, const Warn& warn) {
-  add_file(libraries.lights, kLights, libraries.folder, file, warn);
+void add_lights(SceneLibraries& libraries, const Token& file) {
+  add_file(libraries.lights, kLights, libraries.folder, file);
 }
 
-void add_materials(SceneLibraries& libraries, const Token& file, const Warn& warn) {
-  add_file(libraries.materials, kMaterials, libraries.folder, file, warn);
+void add_materials(SceneLibraries& libraries, const Token& file) {
+  add_file(libraries.materials, kMaterials, libraries.folder, file);
 }
 
 Curve look_up_light(SceneLibraries& libraries, const Token& name, const Warn& warn) {
   const auto* entry = look_up(libraries.lights, kLights, libraries.folder, name.text, warn);
-  const auto illuminant = find_illuminant(name.text);
-  if (entry && illuminant && libraries.warned_names.insert(entry->name).second)
-    warn(fmt::format("{}: {} is the light of {}, which hides the illuminant of this name",
+  if (entry && is_lamp_name(name.text) && libraries.warned_names.insert(entry->name).second)
+    warn(fmt::format("{}: {} is the light of {}, which hides the built-in light of this name",
                      to_string(name.where), shown(name), libraries.lights.files));
   if (entry) return spectrum(*entry);
-  if (illuminant) return *illuminant;
+  if (const auto lamp = read_lamp(name)) return *lamp;
 
   std::vector<std::string> names = names_of(libraries.lights);
-  for (std::string& illuminant_name : illuminant_names())
-    names.push_back(std::move(illuminant_name));
+  for (std::string& lamp_name : lamp_names())
+    names.push_back(std::move(lamp_name));
   throw ReadError(name.where, "unknown light " + shown(name),
                   searched(libraries.lights, kLights) + "; no such illuminant",
                   did_you_mean(name.text, names, "D65 and A are always there"));

@@ -25,14 +25,14 @@ struct SceneLibraries {
   std::filesystem::path folder;
   SceneLibrary<LightSpectrum> lights;
   SceneLibrary<LibraryMaterial> materials;
-  std::set<std::string> warned_names; ///< lights that hide a named illuminant
+  std::set<std::string> warned_names; ///< lights that hide a built-in one
 };
 
 /// Adds the entries of the file that `file` names.
-void add_lights(SceneLibraries& libraries, const Token& file, const Warn& warn);
-void add_materials(SceneLibraries& libraries, const Token& file, const Warn& warn);
+void add_lights(SceneLibraries& libraries, const Token& file);
+void add_materials(SceneLibraries& libraries, const Token& file);
 
-/// The spectrum of a library's light, else of a named illuminant. Throws ReadError with similar
+/// The spectrum of a library's light, else of a built-in one. Throws ReadError with similar
 /// names when there is neither.
 [[nodiscard]] Curve look_up_light(SceneLibraries& libraries, const Token& name, const Warn& warn);
 

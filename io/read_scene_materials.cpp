@@ -9,6 +9,7 @@
 //   glass N-BK7                        ! clear glass of the catalogue
 //   absorption 0.01                    ! per mm
 
+#include "io/read_absorption.h"
 #include "io/read_dispersion.h"
 #include "io/read_glass.h"
 #include "io/read_scene_state.h"
@@ -45,16 +46,15 @@ void read_reflectance(SceneState& state, Arguments& arguments) {
 }
 
 void read_emissive(SceneState& state, Arguments& arguments) {
-  state.material.finish.emission = rgb_emission(read_rgb(arguments));
+  state.material.finish.emission = read_emission(state, arguments);
 }
 
 void read_exponent(SceneState& state, Arguments& arguments) {
   state.material.finish.specular_exponent = arguments.number({"the exponent of the highlight"});
 }
 
-template <Curve Material::*part>
-void read_fraction(SceneState& state, Arguments& arguments) {
-  state.material.finish.*part = Curve::constant(arguments.number(kFraction));
+void read_reflectivity(SceneState& state, Arguments& arguments) {
+  state.material.finish.reflectivity = Curve::constant(arguments.number(kFraction));
 }
 
 void read_speed_of_light(SceneState& state, Arguments& arguments) {
@@ -74,6 +74,11 @@ void read_vnum(SceneState& state, Arguments& arguments) {
 
 void read_absorption(SceneState& state, Arguments& arguments) {
   state.material.medium.absorption_per_mm = Curve::constant(arguments.number(kAbsorptionRange));
+}
+
+template <Curve (*read_curve)(Arguments&)>
+void read_absorption_by(SceneState& state, Arguments& arguments) {
+  state.material.medium.absorption_per_mm = read_curve(arguments);
 }
 
 void read_fresnel(SceneState& state, Arguments& arguments) {
@@ -102,6 +107,24 @@ void read_dispersion_scale(SceneState& state, Arguments& arguments) {
   index = exaggerated(index, arguments.number(kDispersionScaleRange));
 }
 
+void read_metal_mirror(SceneState& state, Arguments& arguments) {
+  const Metal& metal = read_metal(arguments);
+  Material mirror;
+  mirror.name = metal.name;
+  mirror.reflectivity = Curve::constant(1.0);
+  mirror.metal = ConductorIndex{metal.n, metal.k};
+  state.material = {mirror, CurrentMaterial{}.medium};
+}
+
+/// A metal lets no light in.
+void read_transparency(SceneState& state, Arguments& arguments) {
+  const double share = arguments.number(kFraction);
+  if (state.material.finish.metal && share > 0.0)
+    throw ReadError(arguments.keyword().where, "transparency does not go with metal",
+                    "what a metal does not reflect it takes in", "Give a glass, or remove it");
+  state.material.finish.transparency = Curve::constant(share);
+}
+
 void read_use_material(SceneState& state, Arguments& arguments) {
   const Token name = arguments.name_token("the name of a material");
   const LibraryMaterial& entry = look_up_material(state.libraries, name, state.warn);
@@ -119,15 +142,16 @@ constexpr std::array kKeywords{
     SceneKeyword{"ambient r g b", read_reflectance<&Material::ambient>, true},
     SceneKeyword{"diffuse r g b", read_reflectance<&Material::diffuse>, true},
     SceneKeyword{"specular r g b", read_reflectance<&Material::specular>, true},
-    SceneKeyword{"emissive r g b", read_emissive, true},
+    SceneKeyword{"emissive r g b | SPECTRUM [factor]", read_emissive, true},
     SceneKeyword{"specularExponent e", read_exponent, true},
-    SceneKeyword{"reflectivity x", read_fraction<&Material::reflectivity>, true},
-    SceneKeyword{"transparency x", read_fraction<&Material::transparency>, true},
+    SceneKeyword{"reflectivity x", read_reflectivity, true},
+    SceneKeyword{"transparency x", read_transparency, true},
     SceneKeyword{"speedOfLight n", read_speed_of_light, true},
     SceneKeyword{"vnum v", read_vnum, true},
     SceneKeyword{"fresnel on|off", read_fresnel, true},
     SceneKeyword{"defaultMaterials", read_default_materials, true},
     SceneKeyword{"glass NAME", read_clear_glass, true},
+    SceneKeyword{"metal NAME", read_metal_mirror, true},
     SceneKeyword{kCauchyUsage, read_law_glass<read_cauchy>, true},
     SceneKeyword{kAbbeUsage, read_law_glass<read_abbe>, true},
     SceneKeyword{kIndexTableUsage, read_law_glass<read_index_table>, true},
@@ -135,6 +159,9 @@ constexpr std::array kKeywords{
     SceneKeyword{kQuartzUsage, read_law_glass<read_quartz>, true},
     SceneKeyword{kDispersionScaleUsage, read_dispersion_scale, true},
     SceneKeyword{"absorption x", read_absorption, true},
+    SceneKeyword{kAbsorptionTableUsage, read_absorption_by<read_absorption_table>, true},
+    SceneKeyword{kInternalTransmittanceUsage, read_absorption_by<read_internal_transmittance>,
+                 true},
     SceneKeyword{"priority n", read_priority},
 };
 

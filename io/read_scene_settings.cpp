@@ -9,7 +9,6 @@
 //   materials all.mtl
 
 #include "io/read_scene_state.h"
-#include "spectral/rgb_spectrum.h"
 
 #include <array>
 
@@ -17,15 +16,6 @@ namespace abbe {
 namespace {
 
 constexpr Range kFraction{"a fraction of the light", 0.0, 1.0};
-
-/// A colour, or the name of a spectrum and a factor that may be left out.
-Curve read_emission(SceneState& state, Arguments& arguments) {
-  if (arguments.number_follows()) return rgb_emission(read_rgb(arguments));
-  const Token name = arguments.name_token("a colour or the name of a spectrum");
-  const Curve spectrum = look_up_light(state.libraries, name, state.warn);
-  if (!arguments.number_follows()) return spectrum;
-  return spectrum.scaled(arguments.number({"a factor on the spectrum"}));
-}
 
 void read_background(SceneState& state, Arguments& arguments) {
   state.scene.background = read_emission(state, arguments);
@@ -59,11 +49,11 @@ void read_shadows(SceneState& state, Arguments& arguments) {
 }
 
 void read_light_library(SceneState& state, Arguments& arguments) {
-  add_lights(state.libraries, arguments.name_token("the name of a file"), state.warn);
+  add_lights(state.libraries, arguments.name_token("the name of a file"));
 }
 
 void read_material_library(SceneState& state, Arguments& arguments) {
-  add_materials(state.libraries, arguments.name_token("the name of a file"), state.warn);
+  add_materials(state.libraries, arguments.name_token("the name of a file"));
 }
 
 constexpr std::array kKeywords{

@@ -1,6 +1,7 @@
 #include "io/read_scene_state.h"
 
 #include "spectral/band_grid.h"
+#include "spectral/rgb_spectrum.h"
 
 #include <algorithm>
 #include <tuple>
@@ -12,9 +13,9 @@ namespace {
 // A member added to the struct does not compile here until it is added to the comparison.
 auto members(const Material& m) {
   const auto& [name, ambient, diffuse, specular, emission, exponent, reflectivity, transparency,
-               fresnel] = m;
+               fresnel, metal] = m;
   return std::tie(name, ambient, diffuse, specular, emission, exponent, reflectivity, transparency,
-                  fresnel);
+                  fresnel, metal);
 }
 
 auto members(const Medium& m) {
@@ -81,6 +82,14 @@ LinearRgb read_rgb(Arguments& arguments) {
   const double r = arguments.number(kComponent);
   const double g = arguments.number(kComponent);
   return {r, g, arguments.number(kComponent)};
+}
+
+Curve read_emission(SceneState& state, Arguments& arguments) {
+  if (arguments.number_follows()) return rgb_emission(read_rgb(arguments));
+  const Token name = arguments.name_token("a colour or the name of a spectrum");
+  const Curve spectrum = look_up_light(state.libraries, name, state.warn);
+  if (!arguments.number_follows()) return spectrum;
+  return spectrum.scaled(arguments.number({"a factor on the spectrum"}));
 }
 
 void place_shape(SceneState& state, const SourcePosition& where, Shape shape,

@@ -131,6 +131,9 @@ void warn_at(const SceneState& state, const SourcePosition& where, const std::st
 /// Reads what follows the keyword `polyhedron`.
 [[nodiscard]] ConvexPolyhedron read_polyhedron(Arguments& arguments);
 
+/// Three numbers or the name of a light with a factor that may be left out: light given off.
+[[nodiscard]] Curve read_emission(SceneState& state, Arguments& arguments);
+
 /// Adds a shape with a material to the scene.
 void place_shape(SceneState& state, const SourcePosition& where, Shape shape,
                  const Transform& to_world, const CurrentMaterial& material);

@@ -44,6 +44,13 @@ public:
     return kLowerNm + (band + offset) * (kUpperNm - kLowerNm) / count_;
   }
 
+  /// The band that holds `lambda_nm`; the first or last for what lies outside.
+  [[nodiscard]] constexpr int band_of(double lambda_nm) const {
+    const double place = (lambda_nm - kLowerNm) * count_ / (kUpperNm - kLowerNm);
+    if (!(place > 0.0)) return 0;
+    return place >= count_ ? count_ - 1 : static_cast<int>(place);
+  }
+
   friend constexpr bool operator==(const BandGrid&, const BandGrid&) = default;
 
 private:

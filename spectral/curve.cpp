@@ -48,6 +48,20 @@ Curve Curve::table(std::vector<double> wavelengths_nm, std::vector<double> value
   return Curve(Table{std::move(wavelengths_nm), std::move(values), outside});
 }
 
+Curve Curve::lines(std::vector<SpectralLine> lines) {
+  if (lines.empty()) throw std::invalid_argument("a curve of lines needs at least one");
+  if (!std::all_of(lines.begin(), lines.end(), [](const SpectralLine& line) {
+        return std::isfinite(line.nm) && std::isfinite(line.power);
+      }))
+    throw std::invalid_argument("a line has a number that is not finite");
+  return Curve(Lines{std::move(lines)});
+}
+
+std::span<const SpectralLine> Curve::spectral_lines() const {
+  if (const auto* form = std::get_if<Lines>(&form_)) return form->lines;
+  return {};
+}
+
 double Curve::at(double lambda_nm) const {
   return std::visit([&](const auto& form) { return value_at(form, lambda_nm); }, form_);
 }
@@ -59,6 +73,12 @@ std::optional<double> Curve::constant_value() const {
 
 Curve Curve::scaled(double factor) const {
   if (const auto* form = std::get_if<Constant>(&form_)) return constant(form->value * factor);
+  if (const auto* form = std::get_if<Lines>(&form_)) {
+    Lines scaled = *form;
+    for (SpectralLine& line : scaled.lines)
+      line.power *= factor;
+    return Curve(std::move(scaled));
+  }
   Form form = form_;
   std::vector<double>& values = std::holds_alternative<Samples>(form)
                                     ? std::get<Samples>(form).values
@@ -71,6 +91,13 @@ Curve Curve::scaled(double factor) const {
 Curve Curve::times(const Curve& other) const {
   if (const auto factor = constant_value()) return other.scaled(*factor);
   if (const auto factor = other.constant_value()) return scaled(*factor);
+  if (const auto* form = std::get_if<Lines>(&form_)) {
+    Lines product = *form;
+    for (SpectralLine& line : product.lines)
+      line.power *= other.at(line.nm);
+    return Curve(std::move(product));
+  }
+  if (!other.spectral_lines().empty()) return other.times(*this);
   const auto* a = std::get_if<Samples>(&form_);
   const auto* b = std::get_if<Samples>(&other.form_);
   if (a && b) {
@@ -104,6 +131,13 @@ double Curve::value_at(const Table& form, double lambda_nm) {
   const auto upper = std::upper_bound(x.begin(), x.end(), lambda_nm);
   const auto i = upper - x.begin();
   return mix(form.values[i - 1], form.values[i], (lambda_nm - x[i - 1]) / (x[i] - x[i - 1]));
+}
+
+double Curve::value_at(const Lines& form, double lambda_nm) {
+  double sum = 0.0;
+  for (const SpectralLine& line : form.lines)
+    if (std::abs(lambda_nm - line.nm) <= 0.5) sum += line.power;
+  return sum;
 }
 
 Curve::Table Curve::as_table(const Samples& form) {

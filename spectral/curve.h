@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -9,6 +10,13 @@ namespace abbe {
 
 /// What a tabulated curve is worth beyond its first and last wavelength.
 enum class Outside { hold_ends, zero };
+
+/// Light of a single wavelength; its power has the unit of a curve's value times nm.
+struct SpectralLine {
+  double nm = 0.0;
+  double power = 0.0;
+  friend bool operator==(const SpectralLine&, const SpectralLine&) = default;
+};
 
 /// A function of wavelength: a reflectance, a transmittance, a lamp's spectrum, n or k of a metal.
 /// A plain value; copying a constant copies one number. Units are those of what it describes.
@@ -31,6 +39,15 @@ public:
   [[nodiscard]] static Curve table(std::vector<double> wavelengths_nm, std::vector<double> values,
                                    Outside outside = Outside::hold_ends);
 
+  /// Single lines and nothing between. Throws std::invalid_argument when there is none, or a number
+  /// is not finite.
+  [[nodiscard]] static Curve lines(std::vector<SpectralLine> lines);
+
+  /// The lines of a curve that was made of lines; empty for others.
+  [[nodiscard]] std::span<const SpectralLine> spectral_lines() const;
+
+  /// A line has no value at a wavelength: `at` shows it as wide as 1 nm. Who sums light over bands
+  /// takes spectral_lines. Else:
   /// The value at `lambda_nm`; at a sample or a tabulated wavelength exactly the number given.
   [[nodiscard]] double at(double lambda_nm) const;
 
@@ -40,8 +57,9 @@ public:
   /// This curve times a number.
   [[nodiscard]] Curve scaled(double factor) const;
 
-  /// The pointwise product. A constant scales the other curve; samples with samples give samples;
-  /// any other pair gives a table on the points of both, exact at these points and linear between.
+  /// The pointwise product. A constant scales the other curve; lines keep their wavelengths;
+  /// samples with samples give samples; any other pair gives a table on the points of both, exact
+  /// at these points and linear between.
   [[nodiscard]] Curve times(const Curve& other) const;
 
   friend bool operator==(const Curve&, const Curve&) = default;
@@ -61,13 +79,18 @@ private:
     Outside outside = Outside::hold_ends;
     friend bool operator==(const Table&, const Table&) = default;
   };
-  using Form = std::variant<Constant, Samples, Table>;
+  struct Lines {
+    std::vector<SpectralLine> lines;
+    friend bool operator==(const Lines&, const Lines&) = default;
+  };
+  using Form = std::variant<Constant, Samples, Table, Lines>;
 
   explicit Curve(Form form) : form_(std::move(form)) {}
 
   [[nodiscard]] static double value_at(const Constant& form, double lambda_nm);
   [[nodiscard]] static double value_at(const Samples& form, double lambda_nm);
   [[nodiscard]] static double value_at(const Table& form, double lambda_nm);
+  [[nodiscard]] static double value_at(const Lines& form, double lambda_nm);
   [[nodiscard]] static Table as_table(const Samples& form);
   [[nodiscard]] static Curve product(const Table& a, const Table& b);
 

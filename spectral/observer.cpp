@@ -64,9 +64,28 @@ void for_each_overlap(int band, int bands, int cells, Visit visit) {
   }
 }
 
+/// The observer's value at a wavelength, linear in the 1 nm table.
+Xyz observer_at(Observer observer, double lambda_nm) {
+  const std::vector<Xyz>& cells = observer_cells(observer, kCells1nm);
+  const double place = std::clamp(lambda_nm - kCells1nm.first_nm, 0.0, kCells1nm.count - 1.0);
+  const auto i = std::min(static_cast<std::size_t>(place), cells.size() - 2);
+  const double part = place - static_cast<double>(i);
+  return cells[i] * (1.0 - part) + cells[i + 1] * part;
+}
+
+std::vector<Xyz> line_weights(const BandGrid& grid, std::span<const SpectralLine> lines,
+                              Observer observer) {
+  std::vector<Xyz> weights(grid.count());
+  for (const SpectralLine& line : lines)
+    weights[grid.band_of(line.nm)] += observer_at(observer, line.nm) * line.power;
+  return weights;
+}
+
 } // namespace
 
 std::vector<Xyz> band_weights(const BandGrid& grid, const Curve& light, Observer observer) {
+  if (const auto lines = light.spectral_lines(); !lines.empty())
+    return line_weights(grid, lines, observer);
   const Cells cells = cells_for(grid);
   const std::vector<Xyz>& matching = observer_cells(observer, cells);
   std::vector<Xyz> weights(grid.count());
@@ -80,6 +99,11 @@ std::vector<Xyz> band_weights(const BandGrid& grid, const Curve& light, Observer
 std::vector<double> band_means(const BandGrid& grid, const Curve& light) {
   const Cells cells = cells_for(grid);
   std::vector<double> means(grid.count());
+  if (const auto lines = light.spectral_lines(); !lines.empty()) {
+    for (const SpectralLine& line : lines)
+      means[grid.band_of(line.nm)] += line.power / grid.width_nm();
+    return means;
+  }
   for (int band = 0; band < grid.count(); ++band) {
     double sum = 0.0;
     double total = 0.0;

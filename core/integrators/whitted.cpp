@@ -2,6 +2,7 @@
 
 #include "core/integrators/absorption.h"
 #include "core/lights/illumination.h"
+#include "core/materials/conductor.h"
 #include "core/materials/fresnel.h"
 
 #include <algorithm>
@@ -131,11 +132,17 @@ void Whitted::scatter(const Bundle& bundle, double choice, RayCounts& counts) {
   const Hit& hit = *bundle.hit;
   const MaterialPlan& material = plan_.materials[hit.material.index()];
   if (!material.reflects && !material.transmits) return;
+  const double cos_i = std::min(1.0, std::abs(glm::dot(hit.normal, bundle.state.ray.direction)));
+  if (material.conductor) {
+    reflect_conductor(material, cos_i, wavelengths_.indices(hit.medium_before), bundle.first,
+                      bundle.last, scatter_.reflected.data());
+    reflect(bundle, scatter_.reflected.data(), counts);
+    return;
+  }
   if (!material.dielectric) {
     reflect(bundle, material.reflectivity.data(), counts);
     return;
   }
-  const double cos_i = std::min(1.0, std::abs(glm::dot(hit.normal, bundle.state.ray.direction)));
   scatter_dielectric(material, cos_i, wavelengths_.indices(hit.medium_before),
                      wavelengths_.indices(hit.medium_after), bundle.first, bundle.last, scatter_);
   if (material.reflects) reflect(bundle, scatter_.reflected.data(), counts);

@@ -3,6 +3,7 @@
 #include "spectral/curve.h"
 #include "spectral/dispersion.h"
 
+#include <optional>
 #include <string>
 
 namespace abbe {
@@ -12,6 +13,12 @@ struct Medium {
   std::string name;
   Dispersion index = ConstantIndex{1.0};
   Curve absorption_per_mm = Curve::constant(0.0); ///< Beer-Lambert: exp(-absorption * length)
+};
+
+/// A metal's complex refractive index n - i k.
+struct ConductorIndex {
+  Curve n, k;
+  friend bool operator==(const ConductorIndex&, const ConductorIndex&) = default;
 };
 
 /// The finish of a surface, as the thesis has it: a sum of parts, each a curve of factors from 0
@@ -28,6 +35,7 @@ struct Material {
   /// With Fresnel the two scale the fractions that Fresnel's equations give; without, they are
   /// the fractions.
   bool fresnel = true;
+  std::optional<ConductorIndex> metal; ///< Fresnel's fraction is then the metal's
 };
 
 } // namespace abbe

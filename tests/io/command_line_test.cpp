@@ -256,6 +256,8 @@ TEST_CASE("a command line that cannot be understood ends with 2") {
   CHECK(exit_code_of({"render"}) == kExitUsage);
   CHECK(exit_code_of({"list"}) == kExitUsage);
   CHECK(exit_code_of({"list", "shapes"}) == kExitUsage);
+  CHECK(exit_code_of({"list", "glasses", "--plot-file", "a.png"}) == kExitUsage); // of what?
+  CHECK(exit_code_of({"list", "--plot", "D65", "--plot-file", "a.exr"}) == kExitUsage);
   CHECK(exit_code_of({"plan", "a.sdl", "-o", "a.exr"}) == kExitUsage); // plan writes nothing
   const std::vector<std::vector<const char*>> wrong = {
       {"--colour"},           {"b.sdl"},
@@ -422,6 +424,25 @@ TEST_CASE("list names glasses, lights and materials") {
   CHECK(contains(lights.out, "D65"));
   CHECK(contains(folder.run("list materials '" + scenes + "all.mtl'").out, "StrongOrangeYellow"));
   CHECK(folder.run("list lights missing.filter").exit_code == 2);
+  CHECK(contains(folder.run("list metals").out, "\nAu "));
+}
+
+TEST_CASE("list --plot draws one curve, in the terminal or as a PNG") {
+  const Folder folder;
+  const Outcome text = folder.run("list --plot N-BK7");
+  CHECK(text.exit_code == 0);
+  CHECK(text.out.starts_with("N-BK7: refractive index\n"));
+  const Outcome file = folder.run("list lights --plot sodium --plot-file a.png");
+  CHECK(file.exit_code == 0);
+  CHECK(content(folder / "a.png").substr(1, 3) == "PNG");
+  const Outcome wrong = folder.run("list --plot nothing");
+  CHECK(wrong.exit_code == 2);
+  CHECK(contains(wrong.error, "there is nothing called \"nothing\" to plot"));
+  const Outcome library =
+      folder.run("list materials '" ABBE_SOURCE_DIR "/scenes/all.mtl' --plot strongorangeyellow");
+  CHECK(library.out.starts_with("StrongOrangeYellow: reflectance\n"));
+  folder.write("lights.filter", content(ABBE_SOURCE_DIR "/scenes/lights.filter"));
+  CHECK(folder.run("list lights --plot 2a").out.starts_with("2a: light"));
 }
 
 TEST_CASE("a reader that goes away early does no harm") {

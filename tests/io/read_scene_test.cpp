@@ -153,7 +153,7 @@ TEST_CASE("a library's light hides an illuminant of the same name, with one warn
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0] == file.string() + ":1:7: \"D65\" is the light of " +
                            (file.parent_path() / "lights.filter").string() +
-                           ", which hides the illuminant of this name");
+                           ", which hides the built-in light of this name");
 }
 
 TEST_CASE("errors of libraries") {

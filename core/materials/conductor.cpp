@@ -1,0 +1,34 @@
+#include "core/materials/conductor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abbe {
+
+double conductor_reflectance(double cos_i, double n_before, double n, double k) {
+  const double eta2 = n * n / (n_before * n_before);
+  const double kappa2 = k * k / (n_before * n_before);
+  const double cos2 = cos_i * cos_i;
+  const double sin2 = 1.0 - cos2;
+  const double real = eta2 - kappa2 - sin2;
+  const double sum = std::sqrt(real * real + 4.0 * eta2 * kappa2); // a^2 + b^2
+  const double twice_a_cos = 2.0 * std::sqrt(std::max(0.0, 0.5 * (sum + real))) * cos_i;
+  const double s = (sum - twice_a_cos + cos2) / (sum + twice_a_cos + cos2);
+  const double across = cos2 * sum + sin2 * sin2, along = twice_a_cos * sin2;
+  const double p = s * (across - along) / (across + along);
+  return 0.5 * (s + p);
+}
+
+void reflect_conductor(const MaterialPlan& material, double cos_i, const double* n_before,
+                       int first, int last, float* reflected) {
+  const float* reflectivity = material.reflectivity.data();
+  const float* n = material.metal_n.data();
+  const float* k = material.metal_k.data();
+  for (int b = first; b < last; ++b) {
+    const double share =
+        material.fresnel ? conductor_reflectance(cos_i, n_before[b], n[b], k[b]) : 1.0;
+    reflected[b] = static_cast<float>(share) * reflectivity[b];
+  }
+}
+
+} // namespace abbe
