@@ -51,24 +51,19 @@ ErrorCurves measure_error(const std::filesystem::path& scene_path, const ErrorOp
     tell(fmt::format("{} samples per pixel", options.budgets[i]));
     std::vector<std::function<void()>> works;
     std::vector<Plan> plans;
-    plans.reserve(result.curves.size());
-    for (ErrorCurve& curve : result.curves) {
+    for (const ErrorCurve& curve : result.curves) {
       RenderSettings budgeted = curve.variation.settings;
       budgeted.samples_per_pixel = options.budgets[i];
-      const Plan& plan = plans.emplace_back(make_plan(scene, budgeted));
-      BudgetError& budget = curve.budgets[i];
-      works.emplace_back([&] {
-        const Rendering rendering = render_once(scene, plan, world);
-        budget.rays = rendering.rays.total();
-        if (budget.error.rel_mse == 0.0) // the same every time
-          budget.error = image_error(pixels(rendering.film), reference);
-      });
+      plans.push_back(make_plan(scene, budgeted));
     }
-    const std::vector<Runs> runs = interleaved(works, options.render.repeats, true);
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-      result.curves[k].budgets[i].render_seconds = runs[k].cpu_spread();
-      result.curves[k].budgets[i].wall_seconds = runs[k].wall_spread();
-    }
+    std::vector<std::optional<Rendering>> renderings(plans.size());
+    for (std::size_t k = 0; k < plans.size(); ++k)
+      works.emplace_back([&, k] { renderings[k] = render_once(scene, plans[k], world); });
+    const std::vector<Runs> runs = interleaved(works, options.render.repeats, false);
+    for (std::size_t k = 0; k < runs.size(); ++k)
+      result.curves[k].budgets[i] = {options.budgets[i], runs[k].cpu_spread(),
+                                     runs[k].wall_spread(), renderings[k]->rays.total(),
+                                     image_error(pixels(renderings[k]->film), reference)};
   }
   return result;
 }

@@ -63,20 +63,19 @@ void Fan::trace_bands(RayCounts& counts) {
 }
 
 void Fan::add_band(int band, float weight) {
-  FanCell cell;
+  FanCell& cell = cells_.emplace_back();
   cell.weight = weight;
   cell.bundle.first = band;
   cell.bundle.last = band + 1;
   cell.bundle.state = band_rays_[static_cast<std::size_t>(band)].state;
   cell.bundle.hit = band_rays_[static_cast<std::size_t>(band)].hit;
-  cells_.push_back(std::move(cell));
 }
 
 void Fan::add_shared(Range range, PathWavelengths& wavelengths) {
   const BandRay& a = band_rays_[static_cast<std::size_t>(range.first)];
   const BandRay& b = band_rays_[static_cast<std::size_t>(range.last - 1)];
   const Hit& hit = *incoming_->hit;
-  FanCell cell;
+  FanCell& cell = cells_.emplace_back();
   cell.shared = true;
   cell.bundle.first = range.first;
   cell.bundle.last = range.last;
@@ -86,18 +85,16 @@ void Fan::add_shared(Range range, PathWavelengths& wavelengths) {
   cell.bundle.position_spread = position_spread_;
   cell.bundle.direction_spread =
       carried_direction_spread_ + glm::distance(a.state.ray.direction, b.state.ray.direction);
-  cells_.push_back(std::move(cell));
 }
 
 void Fan::add_undivided(Range range) {
-  FanCell cell;
+  FanCell& cell = cells_.emplace_back();
   cell.shared = true;
   cell.bundle.first = range.first;
   cell.bundle.last = range.last;
   cell.bundle.state = refracted_state(n_before_[range.first], n_after_[range.first]);
   cell.bundle.position_spread = position_spread_;
   cell.bundle.direction_spread = carried_direction_spread_;
-  cells_.push_back(std::move(cell));
 }
 
 /// A band that shares another's ray into a denser medium meets the parallel face behind it with

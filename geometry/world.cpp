@@ -150,6 +150,7 @@ std::optional<Hit> World::Impl::first_visible(const RayState& start,
                                               double distance) const {
   if (nearest.empty()) return std::nullopt;
   Boundary boundary = resolve(shapes, start, nearest.boundary());
+  if (boundary.visible) return boundary.hit;
   RayState state = start;
   double travelled = 0.0;
   for (int passed_count = 0; !boundary.visible && passed_count < kMostPassed; ++passed_count) {

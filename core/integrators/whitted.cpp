@@ -28,13 +28,12 @@ Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, doubl
     live_[static_cast<std::size_t>(b)] = 1.0f;
 }
 
-void Whitted::push(Bundle bundle, const float* throughput, float factor) {
-  waiting_.push_back(std::move(bundle));
-  const Bundle& kept = waiting_.back();
+void Whitted::push(const Bundle& bundle, const float* throughput, float factor) {
+  waiting_.push_back(bundle);
   if (throughputs_.size() < waiting_.size() * plan_.stride)
     throughputs_.resize(waiting_.size() * plan_.stride);
   float* target = row(waiting_.size() - 1);
-  for (int b = kept.first; b < kept.last; ++b)
+  for (int b = bundle.first; b < bundle.last; ++b)
     target[b] = throughput[b] * factor;
 }
 
@@ -50,7 +49,7 @@ void Whitted::trace(const RayState& camera_ray, const std::optional<Hit>& hit,
   first.hit = hit;
   push(first, live_.data(), 1.0f);
   while (!waiting_.empty()) {
-    const Bundle bundle = std::move(waiting_.back());
+    const Bundle bundle = waiting_.back();
     const float* stored = row(waiting_.size() - 1);
     std::copy(stored + bundle.first, stored + bundle.last, throughput_.begin() + bundle.first);
     waiting_.pop_back();
@@ -156,7 +155,10 @@ void Whitted::reflect(const Bundle& bundle, const float* factors, RayCounts& cou
   if (!(brought > plan_.settings.min_throughput)) return;
   const double survives = chance(brought, bundle.bands());
   if (survives < 1.0 && decisions_.next() >= survives) return;
-  Bundle next = bundle;
+  Bundle next;
+  next.first = bundle.first;
+  next.last = bundle.last;
+  next.direction_spread = bundle.direction_spread;
   next.state.ray.origin = hit.point;
   next.state.ray.direction =
       reflected(bundle.state.ray.direction, hit.entering ? hit.normal : -hit.normal);
@@ -169,7 +171,7 @@ void Whitted::reflect(const Bundle& bundle, const float* factors, RayCounts& cou
   counts.add(RayKind::reflected, next.state);
   for (int b = bundle.first; b < bundle.last; ++b)
     lit_[static_cast<std::size_t>(b)] = throughput_[static_cast<std::size_t>(b)] * factors[b];
-  push(std::move(next), lit_.data(), static_cast<float>(1.0 / survives));
+  push(next, lit_.data(), static_cast<float>(1.0 / survives));
 }
 
 void Whitted::refract(const Bundle& bundle, double choice, RayCounts& counts) {

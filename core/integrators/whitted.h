@@ -23,7 +23,7 @@ public:
 
 private:
   /// A bundle that waits for its turn; its throughput is the row of the same number.
-  void push(Bundle bundle, const float* throughput, float factor);
+  void push(const Bundle& bundle, const float* throughput, float factor);
   [[nodiscard]] float* row(std::size_t i) { return throughputs_.data() + i * plan_.stride; }
 
   void shade(const Bundle& bundle, RadianceSums& sums, RayCounts& counts);

@@ -1,0 +1,70 @@
+#include "bench/image_error.h"
+#include "tests/catch.h"
+
+#include <cmath>
+
+using namespace abbe;
+using namespace abbe::bench;
+
+namespace {
+
+double square_of(double v) {
+  return v * v;
+}
+
+} // namespace
+
+TEST_CASE("relMSE by hand") {
+  // Reference mean (1+1+1 + 3+3+3) / 6 = 2, so the floor is 0.04. One value of six is off by 0.1:
+  // 0.01 / (1 + 0.04) / 6.
+  const std::vector<LinearRgb> reference{{1, 1, 1}, {3, 3, 3}};
+  const std::vector<LinearRgb> picture{{1.1, 1, 1}, {3, 3, 3}};
+  CHECK(relative_mse(picture, reference) == Approx(0.01 / 1.04 / 6.0));
+}
+
+TEST_CASE("relMSE does not depend on the exposure") {
+  const std::vector<LinearRgb> reference{{0.2, 0.5, 0.1}, {0.0, 0.3, 0.9}};
+  const std::vector<LinearRgb> picture{{0.25, 0.4, 0.1}, {0.1, 0.3, 0.7}};
+  std::vector<LinearRgb> brighter_reference = reference, brighter = picture;
+  for (auto* image : {&brighter_reference, &brighter})
+    for (LinearRgb& c : *image)
+      c = {8 * c.r, 8 * c.g, 8 * c.b};
+  CHECK(relative_mse(brighter, brighter_reference) == Approx(relative_mse(picture, reference)));
+}
+
+TEST_CASE("a picture equal to its reference has no error") {
+  const std::vector<Xyz> reference{{0.2, 0.3, 0.1}, {0.9, 1.0, 1.1}};
+  const ImageError error = image_error(reference, reference);
+  CHECK(error.rel_mse == 0.0);
+  CHECK(error.rmse_xyz == 0.0);
+  CHECK(error.mean_delta_e == 0.0);
+  CHECK(error.delta_e_95 == 0.0);
+}
+
+TEST_CASE("RMSE in XYZ by hand") {
+  // One of two pixels is off by (0.3, 0, 0.4): sqrt(0.25 / 6).
+  const std::vector<Xyz> reference{{0.2, 0.3, 0.1}, {0.5, 0.5, 0.5}};
+  const std::vector<Xyz> picture{{0.5, 0.3, 0.5}, {0.5, 0.5, 0.5}};
+  CHECK(image_error(picture, reference).rmse_xyz == Approx(std::sqrt(0.25 / 6.0)));
+}
+
+TEST_CASE("the colour difference of greys is that of their lightness") {
+  // Both neutral under D65: dE = dL / S_L, S_L = 1 + 0.015 (L - 50)^2 / sqrt(20 + (L - 50)^2) with
+  // L the mean of the two lightnesses [SWD05].
+  const auto grey = [](double y) { return to_xyz(kSrgbWhite, y); };
+  const auto lightness = [](double y) { return 116.0 * std::cbrt(y) - 16.0; };
+  const double a = lightness(0.3), b = lightness(0.4);
+  const double off = square_of(0.5 * (a + b) - 50.0);
+  const double expected = (b - a) / (1.0 + 0.015 * off / std::sqrt(20.0 + off));
+  const ImageError error = image_error({grey(0.3), grey(0.2)}, {grey(0.4), grey(0.2)});
+  CHECK(error.mean_delta_e == Approx(expected / 2.0).epsilon(1e-6));
+  CHECK(error.delta_e_95 == Approx(0.95 * expected).epsilon(1e-6));
+}
+
+TEST_CASE("quantiles lie between the sorted values") {
+  CHECK(quantile({3.0, 1.0, 2.0}, 0.0) == 1.0);
+  CHECK(quantile({3.0, 1.0, 2.0}, 0.5) == 2.0);
+  CHECK(quantile({3.0, 1.0, 2.0}, 0.75) == 2.5);
+  CHECK(quantile({3.0, 1.0, 2.0}, 1.0) == 3.0);
+  CHECK(quantile({7.0}, 0.95) == 7.0);
+}

@@ -1,0 +1,88 @@
+#include "bench/table.h"
+#include "bench/write_json.h"
+#include "tests/catch.h"
+
+#include <nlohmann/json.hpp>
+
+using namespace abbe;
+using namespace abbe::bench;
+
+namespace {
+
+RenderOptions tiny() {
+  RenderOptions options;
+  options.width = options.height = 16;
+  options.samples_per_pixel = 1;
+  options.repeats = 1;
+  return options;
+}
+
+ErrorOptions tiny_error() {
+  ErrorOptions options;
+  options.render = tiny();
+  options.budgets = {1, 2};
+  options.reference_samples = 4;
+  return options;
+}
+
+bool mentions(const std::string& text, const std::string& part) {
+  return text.find(part) != text.npos;
+}
+
+} // namespace
+
+TEST_CASE("the report has its keys") {
+  Report report{this_machine(), {}, {}, {}};
+  report.rays.push_back(measure_rays("lens", tiny()));
+  report.bands.push_back(measure_bands("sphere", tiny()));
+  report.errors.push_back(measure_error("lens", tiny_error(), [](const std::string&) {}));
+  const auto json = nlohmann::json::parse(to_json_text(report));
+
+  for (const char* key :
+       {"processor", "threads", "load", "abbe", "embree", "compiler", "build_type", "architecture"})
+    CHECK(json.at("machine").contains(key));
+
+  const auto& rays = json.at("rays").at(0);
+  CHECK(rays.at("scene") == "lens");
+  CHECK(rays.at("settings").at("bands") == 81);
+  CHECK(rays.at("render_seconds").contains("median"));
+  CHECK(rays.contains("ratio"));
+  REQUIRE(rays.at("kinds").size() == 4);
+  for (const auto& kind : rays.at("kinds")) {
+    CHECK(kind.at("rays") == rays.at("rays").at(kind.at("kind").get<std::string>()));
+    for (const char* width : {"1", "4", "8", "16"})
+      CHECK(kind.at("replay_seconds").at(width).contains("median"));
+    CHECK(kind.contains("query_seconds"));
+    CHECK(kind.contains("best_width"));
+  }
+
+  const auto& costs = json.at("bands").at(0).at("costs");
+  REQUIRE(costs.size() == 5);
+  CHECK(costs.at(0).at("bands") == 1);
+  CHECK(costs.at(4).at("bands") == 81);
+
+  const auto& error = json.at("error").at(0);
+  CHECK(error.at("reference").at("exact") == true);
+  CHECK(error.at("reference").at("jitter") == true);
+  CHECK(error.at("reference").at("seed") != error.at("curves").at(0).at("settings").at("seed"));
+  REQUIRE(error.at("curves").size() == 2);
+  for (const auto& curve : error.at("curves")) {
+    for (const char* key : {"slope", "seconds_to_1e-2", "seconds_to_1e-3"})
+      CHECK(curve.contains(key));
+    for (const auto& budget : curve.at("budgets"))
+      for (const char* key : {"samples_per_pixel", "render_seconds", "rel_mse", "rmse_xyz",
+                              "mean_delta_e_2000", "delta_e_2000_95"})
+        CHECK(budget.contains(key));
+  }
+
+  CHECK(mentions(table(report.machine), report.machine.processor));
+  CHECK(mentions(table(report.rays[0]), "refracted"));
+  CHECK(mentions(table(report.bands[0]), "81"));
+  CHECK(mentions(table(report.errors[0]), "default"));
+}
+
+TEST_CASE("the reference must not share the scene's seed") {
+  ErrorOptions options = tiny_error();
+  options.reference_seed = 0;
+  CHECK_THROWS_AS(measure_error("lens", options, [](const std::string&) {}), std::invalid_argument);
+}

@@ -1,0 +1,36 @@
+#include "bench/variation.h"
+#include "tests/catch.h"
+
+#include <stdexcept>
+
+using namespace abbe;
+using namespace abbe::bench;
+
+TEST_CASE("a variation changes what it names and nothing else") {
+  const RenderSettings usual;
+  const Variation plain = parse_variation("default", usual);
+  CHECK(plain.name == "default");
+  CHECK(plain.settings.max_fan == usual.max_fan);
+  CHECK_FALSE(plain.settings.exact);
+
+  const Variation varied = parse_variation("fan=7,tolerance=0.5,cutoff=0.01,jitter=off", usual);
+  CHECK(varied.name == "fan=7,tolerance=0.5,cutoff=0.01,jitter=off");
+  CHECK(varied.settings.max_fan == 7);
+  CHECK(varied.settings.tolerance_pixels == 0.5);
+  CHECK(varied.settings.min_throughput == 0.01);
+  CHECK_FALSE(varied.settings.jitter);
+  CHECK(varied.settings.bands == usual.bands);
+
+  CHECK(parse_variation("exact", usual).settings.exact);
+  CHECK(parse_variation("bands=27", usual).settings.bands == 27);
+}
+
+TEST_CASE("what is no variation is refused") {
+  const RenderSettings usual;
+  for (const char* text :
+       {"", "fan", "fan=", "fan=0", "fan=406", "fan=7x", "tolerance=nan", "tolerance=-1",
+        "jitter=maybe", "exact=1", "speed=9", "fan=7,", "default,fast"}) {
+    INFO(text);
+    CHECK_THROWS_AS(parse_variation(text, usual), std::invalid_argument);
+  }
+}
