@@ -104,6 +104,10 @@ constexpr std::array<LibraryKey<LibraryMaterial>, 23> kKeys{{
      }},
     {"metal NAME", [](LibraryMaterial& entry, Arguments& arguments,
                       const Warn&) { entry.metal = &read_metal(arguments); }},
+    {"alsoCalled NAME",
+     [](LibraryMaterial& entry, Arguments& arguments, const Warn&) {
+       entry.other_name = arguments.name_token("a second name");
+     }},
     {"fresnel on|off", [](LibraryMaterial& entry, Arguments& arguments,
                           const Warn&) { entry.fresnel = arguments.on_off(); }},
 }};

@@ -63,19 +63,19 @@ struct Walk {
   int segments = 0, interfaces = 0, wrong = 0, gaps = 0;
 };
 
-Walk walk(const Prescription& prescription, Random& random, int rays) {
+Walk walk(const Prescription& prescription, Random& random, int rays, double scale, double far) {
   const auto elements = prescription.elements();
-  const Transform at(random.linear(), random.in_cube(20.0));
+  const Transform at(random.linear() * scale, random.in_cube(2.0 * scale + far));
   std::vector<PlacedShape> shapes;
   for (std::size_t i = 0; i < elements.size(); ++i)
     shapes.push_back({lens_element(elements[i]), at, {0}, {static_cast<int>(i)}, 0});
-  const World world(shapes, 60.0);
+  const World world(shapes, 60.0 * scale + far);
+  const Real blur = 1e-11L + 1e-14L * Real(far / scale); // in the lens's own frame
   const auto truth = [&](const dvec3& local) -> std::optional<int> {
-    constexpr Real kBlur = 1e-11L;
     int found = -1;
     for (std::size_t i = 0; i < elements.size(); ++i) {
       const Real depth = depth_inside(elements[i], local);
-      if (std::abs(depth) < kBlur) return std::nullopt;
+      if (std::abs(depth) < blur) return std::nullopt;
       if (depth > 0.0) found = static_cast<int>(i);
     }
     return found;
@@ -83,7 +83,7 @@ Walk walk(const Prescription& prescription, Random& random, int rays) {
   const auto shared = [&](const dvec3& p) {
     const double height = std::hypot(p.x, p.y);
     for (std::size_t i = 1; i < elements.size(); ++i)
-      if (height < 0.5 * prescription.diameter - 1e-9 &&
+      if (height < 0.5 * prescription.diameter - 100 * blur &&
           std::abs(p.z - surface(elements[i].front_vertex, elements[i].front_radius, height)) <
               1e-10L)
         return true;
@@ -98,7 +98,7 @@ Walk walk(const Prescription& prescription, Random& random, int rays) {
     for (int step = 0; step < 20; ++step) {
       const auto hit = world.closest(state);
       ++count.segments;
-      const double length = hit ? hit->t : 30.0;
+      const double length = hit ? hit->t : 30.0 * scale;
       for (const double part : {0.1, 0.4142, 0.9}) {
         const auto in = truth(at.inverse_point(state.ray.at(part * length)));
         const Nesting& nesting = hit ? hit->nesting_before : state.nesting;
@@ -132,15 +132,16 @@ TEST_CASE("lens: sag is the sphere's") {
   CHECK(sag(2, 2) == 2.0);
 }
 
-// Rays from everywhere, reflected and bent at random, under maps with mirrors and unequal scales:
-// at three places of each segment, what the ray is in is compared with the surfaces' equations. No
-// ray finds air between elements that share a surface.
+// Rays from everywhere, reflected and bent at random, under maps with mirrors and unequal scales,
+// large, small and far away: at three places of each segment, what the ray is in is compared with
+// the surfaces' equations. No ray finds air between elements that share a surface.
 TEST_CASE("lens: on 1e5 rays each place is in the element that the surfaces say") {
   Random random(100);
   for (const Prescription& prescription : kPrescriptions) {
     Walk sum;
     for (int k = 0; k < 20; ++k) {
-      const Walk count = walk(prescription, random, 1000);
+      const double scale = k % 4 == 1 ? 1e-4 : k % 4 == 2 ? 1e4 : 1.0;
+      const Walk count = walk(prescription, random, 1000, scale, k % 4 == 3 ? 1e5 : 0.0);
       sum.segments += count.segments;
       sum.interfaces += count.interfaces;
       sum.wrong += count.wrong;

@@ -39,8 +39,8 @@ Scene mixed(Random& random) {
     const Twin twin = i % 5 == 0   ? sphere()
                       : i % 5 == 1 ? box()
                       : i % 5 == 2 ? csg(lens_piece(0.4))
-                      : i % 5 == 3 ? square()
-                                   : prism();
+                      : i % 5 == 3 ? (i % 2 ? square() : disc())
+                                   : (i % 2 ? prism() : tapered_cylinder(random.uniform(0, 2)));
     // Two glasses that often overlap, opaque solids, squares.
     const int medium = i % 5 == 3 || i % 7 == 0 ? -1 : i % 2;
     scene.add(placed(twin, random.linear(), random.in_cube(4.0)), medium, i % 3);

@@ -27,13 +27,16 @@ bool same(const Hit& a, const Hit& b) {
 Scene clutter(Random& random) {
   Scene scene;
   for (int i = 0; i < 30; ++i) {
-    const Twin twin = i % 5 == 0   ? sphere()
-                      : i % 5 == 1 ? box()
-                      : i % 5 == 2 ? csg(lens_piece(0.4))
-                      : i % 5 == 3 ? square()
+    const Twin twin = i % 7 == 0   ? sphere()
+                      : i % 7 == 1 ? box()
+                      : i % 7 == 2 ? csg(lens_piece(0.4))
+                      : i % 7 == 3 ? square()
+                      : i % 7 == 4 ? tapered_cylinder(random.uniform(0.0, 2.0))
+                      : i % 7 == 5 ? disc()
                                    : prism();
     scene.add(placed(twin, random.linear(), random.in_cube(5.0)), i % 4 - 1, i % 3);
   }
+  scene.add(placed(plane(), random.rotation(), random.in_cube(5.0)));
   return scene;
 }
 

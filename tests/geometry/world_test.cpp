@@ -262,12 +262,14 @@ TEST_CASE("world: a world scaled by a power of two gives the same hits, scaled")
   Random random(29);
   std::vector<PlacedShape> shapes;
   for (int i = 0; i < 24; ++i) {
-    const Twin twin = i % 4 == 0   ? sphere()
-                      : i % 4 == 1 ? box()
-                      : i % 4 == 2 ? csg(nested_piece(random))
+    const Twin twin = i % 6 == 0   ? sphere()
+                      : i % 6 == 1 ? box()
+                      : i % 6 == 2 ? csg(nested_piece(random))
+                      : i % 6 == 3 ? tapered_cylinder(random.uniform(0.0, 2.0))
+                      : i % 6 == 4 ? disc()
                                    : polyhedron(random.planes(8));
     shapes.push_back(placed(twin, random.linear() * 1.5, random.in_cube(6.0)).placed);
-    shapes.back().medium = {i % 3};
+    if (i % 6 != 4) shapes.back().medium = {i % 3};
   }
   for (const int power : {-10, 10, -33, 33}) {
     const double scale = std::ldexp(1.0, power);
