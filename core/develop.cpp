@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace abbe {
 namespace {
 
@@ -80,6 +82,18 @@ const char* name(ShadowRule rule) {
   return "";
 }
 
+const char* name(GamutMapping mapping) {
+  switch (mapping) {
+  case GamutMapping::clip:
+    return "clip";
+  case GamutMapping::scale:
+    return "scale";
+  case GamutMapping::desaturate:
+    return "desaturate";
+  }
+  return "";
+}
+
 const char* name(Observer observer) {
   switch (observer) {
   case Observer::cie1931_2deg:
@@ -114,6 +128,19 @@ Metadata render_metadata(const Plan& plan) {
   return data;
 }
 
+Metadata display_metadata(const DisplaySettings& settings, Observer observer) {
+  const DisplayEncoding encoding = encoding_of(settings);
+  Metadata data{{"abbe/display", encoding.space.name},
+                {"abbe/transfer", encoding.transfer.name},
+                {"abbe/gamut", name(settings.gamut)},
+                {"abbe/exposure", fmt::format("{}", settings.exposure_ev)}};
+  if (settings.white_point) {
+    const Chromaticity white = settings.white_point->seen_by(observer);
+    data.push_back({"abbe/whitePoint", fmt::format("{:.6f} {:.6f}", white.x, white.y)});
+  }
+  return data;
+}
+
 SceneLinearImage develop_scene_linear(const Film& film, const Plan& plan, SceneLinearSpace space) {
   return {full_window(plan), film.window(), linear_rgba(film, space), render_metadata(plan), space};
 }
@@ -121,6 +148,8 @@ SceneLinearImage develop_scene_linear(const Film& film, const Plan& plan, SceneL
 DisplayImage develop_display(const Film& film, const Plan& plan, const DisplaySettings& settings) {
   DisplayImage image{full_window(plan),     film.window(),        {}, {},
                      render_metadata(plan), encoding_of(settings)};
+  for (auto& entry : display_metadata(settings, plan.settings.observer))
+    image.metadata.push_back(std::move(entry));
   const DisplayTransform transform(settings, plan.settings.observer);
   for_each_pixel(film.window(), [&](int x, int y) {
     const LinearRgb c = transform.linear(film.color(x, y));

@@ -18,5 +18,7 @@ develop_scene_linear(const Film& film, const Plan& plan,
 /// The settings that made the picture, as name and value. Nothing of the machine, the time or the
 /// number of threads.
 [[nodiscard]] Metadata render_metadata(const Plan& plan);
+/// The settings that made the display's picture of it.
+[[nodiscard]] Metadata display_metadata(const DisplaySettings& settings, Observer observer);
 
 } // namespace abbe

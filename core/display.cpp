@@ -21,9 +21,7 @@ DisplayTransform::DisplayTransform(const DisplaySettings& settings, Observer obs
   const double gain = std::exp2(settings.exposure_ev);
   to_rgb_ = multiply(inverse(to_xyz_of_rgb), diagonal({gain, gain, gain}));
   if (settings.white_point) {
-    const WhitePoint& white = *settings.white_point;
-    const Xyz from =
-        to_xyz(observer == Observer::cie1931_2deg ? white.cie1931_2deg : white.cie1964_10deg, 1.0);
+    const Xyz from = to_xyz(settings.white_point->seen_by(observer), 1.0);
     to_rgb_ = multiply(to_rgb_, bradford_adaptation(from, to_xyz(settings.space.white, 1.0)));
   }
 }

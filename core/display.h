@@ -14,6 +14,9 @@ struct WhitePoint {
   Chromaticity cie1931_2deg, cie1964_10deg;
 
   [[nodiscard]] static WhitePoint of_light(const Curve& spectrum);
+  [[nodiscard]] const Chromaticity& seen_by(Observer observer) const {
+    return observer == Observer::cie1931_2deg ? cie1931_2deg : cie1964_10deg;
+  }
   [[nodiscard]] static WhitePoint at(const Chromaticity& c) { return {c, c}; }
   friend bool operator==(const WhitePoint&, const WhitePoint&) = default;
 };

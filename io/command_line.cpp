@@ -173,11 +173,11 @@ void add_display(CLI::App& app, DisplayOverride& display) {
                            "How TIFF and PNG treat colours that the display cannot show (default "
                            "desaturate)");
   add_word(app, "--display", "NAME", display.space, find_color_space,
-           fmt::format("a display: {}", fmt::join(color_space_names(), ", ")),
+           fmt::format("a display; these are: {}", fmt::join(color_space_names(), ", ")),
            fmt::format("Colour space of TIFF and PNG (default srgb): {}",
                        fmt::join(color_space_names(), ", ")));
   add_word(app, "--transfer", "NAME|GAMMA", display.transfer, find_transfer,
-           fmt::format("a transfer function: {}, or a gamma from 0.1 to 10",
+           fmt::format("a transfer function; these are: {}, or a gamma from 0.1 to 10",
                        fmt::join(transfer_names(), ", ")),
            fmt::format("Transfer function of TIFF and PNG (default: that of the display): {}, or a "
                        "gamma",

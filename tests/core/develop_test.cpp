@@ -167,3 +167,29 @@ TEST_CASE("EXR in another space: white stays white, other colours have the publi
   CHECK(ap0.rgba[8] == Approx(0.382989).margin(2e-5));
   CHECK(ap0.rgba[9] == Approx(0.813439).margin(2e-5));
 }
+
+TEST_CASE("a display's picture also names every setting of the display") {
+  const Picture p = picture(0);
+  const auto metadata = [&](const DisplaySettings& settings) {
+    return develop_display(p.film, p.plan, settings).metadata;
+  };
+  Metadata plain = render_metadata(p.plan);
+  plain.insert(plain.end(), {{"abbe/display", "sRGB / Rec.709"},
+                             {"abbe/transfer", "srgb"},
+                             {"abbe/gamut", "desaturate"},
+                             {"abbe/exposure", "0"}});
+  CHECK(metadata({}) == plain);
+  DisplaySettings other;
+  other.exposure_ev = -1.5;
+  other.gamut = GamutMapping::scale;
+  other.space = find_color_space("ntsc").value();
+  other.white_point = WhitePoint::at({0.3, 0.31});
+  Metadata expected = render_metadata(p.plan);
+  expected.insert(expected.end(), {{"abbe/display", "NTSC 1953"},
+                                   {"abbe/transfer", "2.2"},
+                                   {"abbe/gamut", "scale"},
+                                   {"abbe/exposure", "-1.5"},
+                                   {"abbe/whitePoint", "0.300000 0.310000"}});
+  CHECK(metadata(other) == expected);
+  CHECK(develop_scene_linear(p.film, p.plan).metadata == render_metadata(p.plan));
+}
