@@ -21,9 +21,9 @@ std::uint32_t bits_reversed(std::uint32_t x) {
   return ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
 }
 
-/// Owen's nested uniform scramble by hashing from the low bits upwards [Laine11, Vegdahl21].
-std::uint32_t owen_scrambled(std::uint32_t x, std::uint32_t seed) {
-  x = bits_reversed(x);
+/// Owen's nested uniform scramble by hashing from the low bits upwards [Laine11, Vegdahl21], of a
+/// number given with its bits reversed.
+std::uint32_t owen_scrambled_reverse_of(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
   x *= (seed >> 16) | 1u;
@@ -32,12 +32,15 @@ std::uint32_t owen_scrambled(std::uint32_t x, std::uint32_t seed) {
   return bits_reversed(x);
 }
 
-/// The second dimension of Sobol's sequence; the first is the reversed index.
-std::uint32_t sobol_second(std::uint32_t index) {
-  std::uint32_t result = 0;
-  for (std::uint32_t v = 1u << 31; index; index >>= 1, v ^= v >> 1)
-    if (index & 1u) result ^= v;
-  return result;
+/// The second dimension of Sobol's sequence, its bits reversed; the first is the index, reversed.
+/// Bit j is the sum modulo 2 of the index's bits i with odd binomial(i, j), that is (Lucas) of
+/// those i that have every bit of j: a sum over supersets, one bit of the numbers i at a time.
+std::uint32_t sobol_second_reversed(std::uint32_t x) {
+  x ^= (x >> 16) & 0x0000ffffu;
+  x ^= (x >> 8) & 0x00ff00ffu;
+  x ^= (x >> 4) & 0x0f0f0f0fu;
+  x ^= (x >> 2) & 0x33333333u;
+  return x ^ ((x >> 1) & 0x55555555u);
 }
 
 double unit(std::uint32_t x) {
@@ -84,9 +87,11 @@ Sampler::Sampler(int pixel_x, int pixel_y, std::uint32_t sample_index, std::uint
 
 dvec2 Sampler::pair(std::uint32_t purpose) const {
   const std::uint64_t a = mixed(key_ + purpose), b = mixed(a);
-  const std::uint32_t index = owen_scrambled(index_, static_cast<std::uint32_t>(a));
-  return {unit(owen_scrambled(bits_reversed(index), static_cast<std::uint32_t>(a >> 32))),
-          unit(owen_scrambled(sobol_second(index), static_cast<std::uint32_t>(b)))};
+  const std::uint32_t index =
+      owen_scrambled_reverse_of(bits_reversed(index_), static_cast<std::uint32_t>(a));
+  return {
+      unit(owen_scrambled_reverse_of(index, static_cast<std::uint32_t>(a >> 32))),
+      unit(owen_scrambled_reverse_of(sobol_second_reversed(index), static_cast<std::uint32_t>(b)))};
 }
 
 DecisionStream Sampler::decisions() const {
