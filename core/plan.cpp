@@ -163,6 +163,11 @@ void note_content(const Scene& scene, Plan& plan) {
                                 count(scene.shapes.size(), "shape", "shapes"),
                                 count(scene.lights.size(), "lamp", "lamps"),
                                 count(scene.media.size(), "medium", "media"), glasses));
+  for (const Medium& medium : scene.media)
+    if (!is_achromatic(medium.index))
+      plan.notes.push_back(
+          fmt::format("{}: n_d {:.5f}, V_d {:.2f}", medium.name.empty() ? "a medium" : medium.name,
+                      refractive_index(medium.index, kLineD_nm), abbe_number(medium.index)));
   const bool refracts = std::any_of(plan.materials.begin(), plan.materials.end(),
                                     [](const MaterialPlan& m) { return m.transmits; });
   if (!refracts)
