@@ -135,6 +135,10 @@ void find_live_bands(Plan& plan) {
     ++first;
   while (last > first && !alive(last - 1))
     --last;
+  plan.live.assign(plan.stride, 0.0f);
+  for (int b = first; b < last; ++b)
+    if (alive(b)) plan.live[static_cast<std::size_t>(b)] = 1.0f;
+  plan.live_count = static_cast<int>(std::count(plan.live.begin(), plan.live.end(), 1.0f));
   plan.live_first = first;
   plan.live_last = last;
   plan.first_band = plan.settings.skip ? first : 0;
