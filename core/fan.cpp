@@ -139,7 +139,7 @@ void Fan::want(int band) {
 std::size_t Fan::sub_bundles_allowed(Range range, double importance) const {
   const double bands = range.last - range.first;
   if (plan_.follows_all()) return static_cast<std::size_t>(bands);
-  const double live = std::max(plan_.live_last - plan_.live_first, 1);
+  const double live = std::max(plan_.live_count, 1);
   const double share = plan_.settings.max_fan * bands / live * std::min(importance, 1.0);
   return static_cast<std::size_t>(std::max(1.0, std::round(share)));
 }

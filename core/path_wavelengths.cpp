@@ -16,8 +16,10 @@ const double* PathWavelengths::indices(MediumId medium) {
   Entry& e = entry(medium);
   if (e.path != path_) {
     const IndexTable& index = plan_.medium(medium).index;
+    const bool lines = !plan_.lines.empty();
     for (int b = 0; b < plan_.grid.count(); ++b)
-      e.indices[static_cast<std::size_t>(b)] = index.at(plan_.wavelength_nm(b, offset_));
+      e.indices[static_cast<std::size_t>(b)] =
+          index.at(lines ? plan_.wavelength_nm(b, offset_) : plan_.grid.wavelength_nm(b, offset_));
     e.path = path_;
   }
   return e.indices.data();

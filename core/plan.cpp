@@ -135,6 +135,10 @@ void find_live_bands(Plan& plan) {
     ++first;
   while (last > first && !alive(last - 1))
     --last;
+  plan.live.assign(plan.stride, 0.0f);
+  for (int b = first; b < last; ++b)
+    if (alive(b)) plan.live[static_cast<std::size_t>(b)] = 1.0f;
+  plan.live_count = static_cast<int>(std::count(plan.live.begin(), plan.live.end(), 1.0f));
   plan.live_first = first;
   plan.live_last = last;
   plan.first_band = plan.settings.skip ? first : 0;
@@ -171,6 +175,11 @@ void note_content(const Scene& scene, Plan& plan) {
                                       "sample a pixel", "samples a pixel"),
                                 count(static_cast<std::size_t>(settings.bands), "band", "bands"),
                                 plan.grid.width_nm()));
+  for (const Medium& medium : scene.media)
+    if (!is_achromatic(medium.index))
+      plan.notes.push_back(
+          fmt::format("{}: n_d {:.5f}, V_d {:.2f}", medium.name.empty() ? "a medium" : medium.name,
+                      refractive_index(medium.index, kLineD_nm), abbe_number(medium.index)));
   const bool refracts = std::any_of(plan.materials.begin(), plan.materials.end(),
                                     [](const MaterialPlan& m) { return m.transmits; });
   if (!refracts)

@@ -56,6 +56,8 @@ struct Plan {
   std::size_t stride = 0;            ///< padded length of a band array
   int first_band = 0, last_band = 0; ///< only these bands can carry light to an observer
   int live_first = 0, live_last = 0; ///< the same, whether or not skipping is on
+  std::vector<float> live;           ///< per band 1 where it can carry light, else 0; padded
+  int live_count = 0;                ///< of these; fewer than the range has where lamps are lines
 
   std::vector<std::vector<SpectralLine>> lines; ///< by band; see lines_of_bands
   std::vector<SourcePlan> sources; ///< background, ambient light, the lamps, emitting materials
@@ -72,7 +74,7 @@ struct Plan {
 
   /// True when no roulette is needed: every band may have a sub-bundle of its own.
   [[nodiscard]] bool follows_all() const {
-    return settings.exact || settings.max_fan >= live_last - live_first;
+    return settings.exact || settings.max_fan >= live_count;
   }
 
   /// The wavelength at the place `offset` (0..1) of a band: a line's own where lines are all the

@@ -25,16 +25,17 @@ void warn_at_keyword(const Arguments& arguments, const Warn& warn, const std::st
 
 } // namespace
 
-Dispersion read_cauchy(Arguments& arguments, const Warn&) {
+WrittenIndex read_cauchy(Arguments& arguments, const Warn&) {
   constexpr double kMost = 1e3;
   const double a = arguments.number(kIndexRange);
   const double b = arguments.number({"a coefficient in um^2", -kMost, kMost});
-  return Cauchy{a, b, arguments.number({"a coefficient in um^4", -kMost, kMost})};
+  return {Cauchy{a, b, arguments.number({"a coefficient in um^4", -kMost, kMost})}, "cauchy"};
 }
 
-Dispersion read_abbe(Arguments& arguments, const Warn&) {
+WrittenIndex read_abbe(Arguments& arguments, const Warn&) {
   const double n_d = arguments.number(kIndexRange);
-  return cauchy_of_abbe(n_d, arguments.number({.meaning = "the Abbe number", .open = true}));
+  return {cauchy_of_abbe(n_d, arguments.number({.meaning = "the Abbe number", .open = true})),
+          "abbe"};
 }
 
 Points read_points(Arguments& arguments, const Range& value) {
@@ -54,7 +55,7 @@ Points read_points(Arguments& arguments, const Range& value) {
   return points;
 }
 
-Dispersion read_index_table(Arguments& arguments, const Warn& warn) {
+WrittenIndex read_index_table(Arguments& arguments, const Warn& warn) {
   Points points = read_points(arguments, kIndexRange);
   const double first = points.nm.front(), last = points.nm.back();
   if (points.nm.size() > 1 && (first > kLowerNm || last < kUpperNm))
@@ -62,22 +63,22 @@ Dispersion read_index_table(Arguments& arguments, const Warn& warn) {
                     fmt::format("indexTable has no dispersion beyond {:g}-{:g} nm (pictures need "
                                 "{}-{} nm; indexFit would go on)",
                                 first, last, kLowerNm, kUpperNm));
-  return tabulated_index(std::move(points.nm), std::move(points.values));
+  return {tabulated_index(std::move(points.nm), std::move(points.values)), "indexTable"};
 }
 
-Dispersion read_index_fit(Arguments& arguments, const Warn& warn) {
+WrittenIndex read_index_fit(Arguments& arguments, const Warn& warn) {
   const Points points = read_points(arguments, kIndexRange);
   IndexFit fit = fit_index(points.nm, points.values);
+  const std::string miss =
+      fmt::format("its points by up to {:.1e}, at {:g} nm", fit.largest_residual, fit.worst_nm);
   if (fit.largest_residual > kResidualWorthAWarning)
-    warn_at_keyword(arguments, warn,
-                    fmt::format("indexFit misses its points by up to {:.1e}, at {:g} nm",
-                                fit.largest_residual, fit.worst_nm));
-  return std::move(fit.law);
+    warn_at_keyword(arguments, warn, "indexFit misses " + miss);
+  return {std::move(fit.law), "indexFit, which misses " + miss};
 }
 
-Dispersion read_quartz(Arguments& arguments, const Warn&) {
-  if (arguments.choice<bool>({{"linear", true}, {"polynomial", false}})) return ThesisLinear{};
-  return ThesisPolynomial{};
+WrittenIndex read_quartz(Arguments& arguments, const Warn&) {
+  const bool linear = arguments.choice<bool>({{"linear", true}, {"polynomial", false}});
+  return {linear ? Dispersion(ThesisLinear{}) : Dispersion(ThesisPolynomial{}), "quartz"};
 }
 
 } // namespace abbe

@@ -51,10 +51,10 @@ void refuse_second_index(const LibraryMaterial& entry, const Arguments& argument
                   "one law gives n at every wavelength", "Remove one of them");
 }
 
-template <Dispersion (*read_law)(Arguments&, const Warn&)>
+template <WrittenIndex (*read_law)(Arguments&, const Warn&)>
 void set_law(LibraryMaterial& entry, Arguments& arguments, const Warn& warn) {
   refuse_second_index(entry, arguments);
-  entry.law = read_law(arguments, warn);
+  entry.law = read_law(arguments, warn).law;
 }
 
 constexpr std::array<LibraryKey<LibraryMaterial>, 23> kKeys{{

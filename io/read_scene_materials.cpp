@@ -95,11 +95,12 @@ void read_clear_glass(SceneState& state, Arguments& arguments) {
 }
 
 /// Clear glass of a law that is written out.
-template <Dispersion (*read_law)(Arguments&, const Warn&)>
+template <WrittenIndex (*read_law)(Arguments&, const Warn&)>
 void read_law_glass(SceneState& state, Arguments& arguments) {
   Material clear;
   clear.reflectivity = clear.transparency = Curve::constant(1.0);
-  state.material = {clear, {"", read_law(arguments, state.warn), Curve::constant(0.0)}};
+  WrittenIndex index = read_law(arguments, state.warn);
+  state.material = {clear, {std::move(index.name), std::move(index.law), Curve::constant(0.0)}};
 }
 
 void read_dispersion_scale(SceneState& state, Arguments& arguments) {

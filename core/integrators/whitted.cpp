@@ -20,12 +20,10 @@ constexpr double kSurePart = 1.0 / 8.0;
 
 Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, double pixel_angle)
     : scene_(scene), plan_(plan), world_(world), wavelengths_(plan), fan_(plan, world, pixel_angle),
-      shadow_rays_(plan, world), ones_(1.0f, plan.grid.count()), live_(plan.stride),
-      throughput_(plan.stride), lit_(plan.stride) {
+      shadow_rays_(plan, world), ones_(1.0f, plan.grid.count()), throughput_(plan.stride),
+      lit_(plan.stride) {
   scatter_.reflected.resize(plan.stride);
   scatter_.transmitted.resize(plan.stride);
-  for (int b = plan.live_first; b < plan.live_last; ++b)
-    live_[static_cast<std::size_t>(b)] = 1.0f;
 }
 
 void Whitted::push(const Bundle& bundle, const float* throughput, float factor) {
@@ -47,7 +45,7 @@ void Whitted::trace(const RayState& camera_ray, const std::optional<Hit>& hit,
   first.last = plan_.last_band;
   first.state = camera_ray;
   first.hit = hit;
-  push(first, live_.data(), 1.0f);
+  push(first, plan_.live.data(), 1.0f);
   while (!waiting_.empty()) {
     const Bundle bundle = waiting_.back();
     const float* stored = row(waiting_.size() - 1);
@@ -121,7 +119,7 @@ double Whitted::importance(const float* throughput, const float* factors, int fi
 double Whitted::chance(double importance, int bands) const {
   if (plan_.follows_all()) return 1.0;
   // A bundle that carries dead bands too, where nothing is skipped, has no larger share for them.
-  const int live = std::max(plan_.live_last - plan_.live_first, 1);
+  const int live = std::max(plan_.live_count, 1);
   const double share = std::min(1.0, static_cast<double>(bands) / live);
   const double sub_bundles = importance * share * plan_.settings.max_fan;
   return std::min(1.0, sub_bundles / kSurePart);

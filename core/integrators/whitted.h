@@ -48,7 +48,6 @@ private:
 
   std::vector<Bundle> waiting_;
   std::vector<float> throughputs_; ///< rows of Plan::stride values, one per waiting bundle
-  std::vector<float> live_;        ///< 1 in the bands that can carry light, else 0
   std::vector<float> throughput_;  ///< of the bundle being shaded
   std::vector<float> lit_;         ///< the same after a shadow ray
 };

@@ -21,6 +21,7 @@ TEST_CASE("a band whose light is all from lines is traced at the lines") {
   CHECK(plan.wavelength_nm(0, 0.5) == 380.0);
   CHECK(plan.live_first == d);
   CHECK(plan.live_last == laser + 1);
+  CHECK(plan.live_count == 2);
 
   PathWavelengths path(plan);
   path.begin_path(0.9);
@@ -55,5 +56,20 @@ TEST_CASE("the colour of a line does not depend on the number of bands") {
     CHECK(c.x == Approx(expected.x).epsilon(1e-5));
     CHECK(c.y == Approx(expected.y).epsilon(1e-5));
     CHECK(c.z == Approx(expected.z).margin(1e-6));
+  }
+}
+
+// A lossless ball is invisible in even light. Had the dark bands between two lines a share of its
+// rays, a line would be followed by chance only, and the ball would be noise.
+TEST_CASE("dark bands between two lines take no rays from them") {
+  for (const char* skip : {"on", "off"}) {
+    Scene scene = test::scene_from("imageSize 16 16 samples 4 fieldOfView 25 minThroughput 0\n"
+                                   "background line(450) light line(632.8) 0 9 0 1\n"
+                                   "glass N-SF11 sphere");
+    scene.settings.skip = std::string(skip) == "on";
+    const Film film = std::move(test::render_scene(scene, false).film);
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 16; ++x)
+        CHECK(film.color(x, y).y == Approx(1.0).epsilon(0.02));
   }
 }

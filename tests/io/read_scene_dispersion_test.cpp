@@ -45,6 +45,7 @@ TEST_CASE("points of n are joined or fitted, and the reader tells what is odd") 
   const Scene fitted = scene_of("indexFit 3 486 1.52 588 1.516 656 1.514 sphere", &warnings);
   CHECK(refractive_index(medium_of(fitted).index, 588.0) == Approx(1.516).epsilon(1e-12));
   CHECK(warnings.empty());
+  CHECK(medium_of(fitted).name.starts_with("indexFit, which misses its points by up to "));
   (void)scene_of("indexFit 5 400 1.5 450 1.6 500 1.5 600 1.6 700 1.5 sphere", &warnings);
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].find("test.sdl:1:1: indexFit misses its points by up to ") !=
