@@ -5,35 +5,71 @@
 #include <algorithm>
 
 namespace abbe {
+namespace {
+
+/// True when the medium has one index for all these bands. Most of a scene's glass may disperse,
+/// but where it does not, Fresnel's equations need solving once and not per band.
+bool alike(const double* n, int first, int last) {
+  bool same = true;
+  for (int b = first; b < last; ++b)
+    same &= n[b] == n[first];
+  return same;
+}
+
+struct Parts {
+  float reflected, transmitted;
+};
+
+Parts parts(bool by_fresnel, double cos_i, double eta) {
+  const double cos2_t = 1.0 - (1.0 - cos_i * cos_i) / (eta * eta);
+  const bool passes = cos2_t > 0.0;
+  const double cos_t = std::sqrt(std::max(cos2_t, 0.0));
+  const double fresnel = passes ? fresnel_reflectance(cos_i, cos_t, eta) : 1.0;
+  const double reflect = by_fresnel ? fresnel : 1.0;
+  const double transmit = by_fresnel ? 1.0 - fresnel : (passes ? 1.0 : 0.0);
+  return {static_cast<float>(reflect), static_cast<float>(transmit / (eta * eta))};
+}
+
+float passed_straight(bool by_fresnel, double cos_i, double eta) {
+  return static_cast<float>(by_fresnel ? 1.0 - fresnel_reflectance(cos_i, std::max(eta, 1.0 / eta))
+                                       : 1.0);
+}
+
+} // namespace
 
 void scatter_dielectric(const MaterialPlan& material, double cos_i, const double* n_before,
                         const double* n_after, int first, int last, DielectricScatter& scatter) {
   const float* reflectivity = material.reflectivity.data();
   const float* transparency = material.transparency.data();
-  const double sin2_i = 1.0 - cos_i * cos_i;
+  float* reflected = scatter.reflected.data();
+  float* transmitted = scatter.transmitted.data();
+  if (alike(n_before, first, last) && alike(n_after, first, last)) {
+    const Parts p = parts(material.fresnel, cos_i, n_after[first] / n_before[first]);
+    for (int b = first; b < last; ++b) {
+      reflected[b] = p.reflected * reflectivity[b];
+      transmitted[b] = p.transmitted * transparency[b];
+    }
+    return;
+  }
   for (int b = first; b < last; ++b) {
-    const double eta = n_after[b] / n_before[b];
-    const double cos2_t = 1.0 - sin2_i / (eta * eta);
-    const bool passes = cos2_t > 0.0;
-    const double cos_t = std::sqrt(std::max(cos2_t, 0.0));
-    const double fresnel = passes ? fresnel_reflectance(cos_i, cos_t, eta) : 1.0;
-    const auto reflect = material.fresnel ? fresnel : 1.0;
-    const auto transmit = material.fresnel ? 1.0 - fresnel : (passes ? 1.0 : 0.0);
-    const auto i = static_cast<std::size_t>(b);
-    scatter.reflected[i] = static_cast<float>(reflect) * reflectivity[b];
-    scatter.transmitted[i] = static_cast<float>(transmit / (eta * eta)) * transparency[b];
+    const Parts p = parts(material.fresnel, cos_i, n_after[b] / n_before[b]);
+    reflected[b] = p.reflected * reflectivity[b];
+    transmitted[b] = p.transmitted * transparency[b];
   }
 }
 
 void attenuate_straight(const MaterialPlan& material, double cos_i, const double* n_before,
                         const double* n_after, int first, int last, float* transmittance) {
   const float* transparency = material.transparency.data();
-  for (int b = first; b < last; ++b) {
-    const double eta = n_after[b] / n_before[b];
-    const double passed =
-        material.fresnel ? 1.0 - fresnel_reflectance(cos_i, std::max(eta, 1.0 / eta)) : 1.0;
-    transmittance[b] *= static_cast<float>(passed) * transparency[b];
+  if (alike(n_before, first, last) && alike(n_after, first, last)) {
+    const float passed = passed_straight(material.fresnel, cos_i, n_after[first] / n_before[first]);
+    for (int b = first; b < last; ++b)
+      transmittance[b] *= passed * transparency[b];
+    return;
   }
+  for (int b = first; b < last; ++b)
+    transmittance[b] *=
+        passed_straight(material.fresnel, cos_i, n_after[b] / n_before[b]) * transparency[b];
 }
 
 } // namespace abbe
