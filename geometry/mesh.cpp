@@ -25,7 +25,7 @@ bool edges_match(const std::vector<Triangle>& triangles) {
   });
 }
 
-/// The angle under which a triangle is seen, counter-clockwise above 0 [Van Oosterom, Strackee].
+/// The angle under which a triangle is seen, counter-clockwise above 0 [OS83].
 double solid_angle(const dvec3& a, const dvec3& b, const dvec3& c) {
   const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
   return 2.0 *
@@ -52,7 +52,7 @@ double squared_distance(const dvec3& a, const dvec3& b, const dvec3& c) {
 }
 
 /// A line seen along itself: the largest part of its direction is the third axis, and the others
-/// are sheared so that it runs along that axis [Woop, Benthin, Wald 2013]. A triangle's edge then
+/// are sheared so that it runs along that axis [WBW13]. A triangle's edge then
 /// passes the origin on one side or the other, the same for both triangles that share it.
 class ShearedLine {
 public:
