@@ -3,6 +3,7 @@
 namespace abbe {
 
 bool is_solid(const Shape& shape) {
+  if (const auto* mesh = std::get_if<Mesh>(&shape)) return mesh->is_closed();
   return std::visit([]<class S>(const S&) { return !FlatShape<S>; }, shape);
 }
 
@@ -58,6 +59,30 @@ std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& 
       return ShapeCrossing{0.0, i.enter.t_error, i.enter.face, true};
   }
   return std::nullopt;
+}
+
+std::optional<ShapeCrossing> next_crossing(const Mesh& mesh, const LocalRay& ray,
+                                           const ShapeState& state) {
+  const MeshCrossings found = first_crossings(mesh, ray, state.touching ? state.face.face : -1);
+  const Root& enter = found.enter;
+  const Root& exit = found.exit;
+  if (!mesh.is_closed()) {
+    const Root& first = enter.t <= exit.t ? enter : exit;
+    if (first.t == kInfinity) return std::nullopt;
+    return ShapeCrossing{first.t, first.t_error, first.face, &first == &enter};
+  }
+  if (!state.inside) {
+    if (enter.t == kInfinity) return std::nullopt;
+    return ShapeCrossing{enter.t, enter.t_error, enter.face, true};
+  }
+  // Another part of the solid is entered first, or nothing comes: the way out was missed.
+  const bool missed = exit.t == kInfinity ||
+                      (enter.t > enter.t_error && enter.t + enter.t_error < exit.t - exit.t_error);
+  if (missed) {
+    const int face = state.touching ? state.face.face : nearest_face(mesh, ray.origin);
+    return ShapeCrossing{0.0, 0.0, {0, face}, false};
+  }
+  return ShapeCrossing{exit.t, exit.t_error, exit.face, false};
 }
 
 } // namespace abbe

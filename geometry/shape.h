@@ -2,6 +2,7 @@
 
 #include "geometry/csg.h"
 #include "geometry/flat.h"
+#include "geometry/mesh.h"
 
 #include <optional>
 #include <type_traits>
@@ -10,8 +11,8 @@
 namespace abbe {
 
 /// Everything that can stand in a scene.
-using Shape =
-    std::variant<Sphere, Box, ConvexPolyhedron, TaperedCylinder, CsgTree, Square, Disc, Plane>;
+using Shape = std::variant<Sphere, Box, ConvexPolyhedron, TaperedCylinder, CsgTree, Mesh, Square,
+                           Disc, Plane>;
 
 /// A shape at its place, with what a ray must know when it meets it.
 struct PlacedShape {
@@ -62,6 +63,8 @@ struct ShapeState {
 // rounding leaves none, it is at t = 0 through the nearest face. A ray known to be outside only
 // enters. The root of the touched face is never computed.
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& ray,
+                                                         const ShapeState& state);
+[[nodiscard]] std::optional<ShapeCrossing> next_crossing(const Mesh& mesh, const LocalRay& ray,
                                                          const ShapeState& state);
 template <FlatShape S>
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const S& shape, const LocalRay& ray,

@@ -3,6 +3,7 @@
 //   sphere
 //   push translate 3 0 0 scale 1 2 1 cube pop
 
+#include "io/read_mesh.h"
 #include "io/read_scene_state.h"
 
 #include <array>
@@ -57,6 +58,18 @@ void read_flat(SceneState& state, Arguments& arguments) {
   place_shape(state, arguments.keyword().where, S{}, state.transform, state.material);
 }
 
+void read_triangles(SceneState& state, Arguments& arguments) {
+  const SourcePosition& where = arguments.keyword().where;
+  if (state.boolean)
+    throw ReadError(where, "mesh cannot be an operand", "booleans combine convex solids",
+                    "Give it a place of its own, with a priority where it overlaps others");
+  Mesh mesh = read_mesh(arguments);
+  if (!mesh.is_closed() && is_transparent(state.material.finish))
+    warn_at(state, where,
+            "the mesh has no inside to fill (some edge does not join two triangles of one sense)");
+  place_shape(state, where, std::move(mesh), state.transform, state.material);
+}
+
 constexpr std::array kKeywords{
     SceneKeyword{"sphere", read_sphere, true},
     SceneKeyword{"cube", read_cube, true},
@@ -65,6 +78,7 @@ constexpr std::array kKeywords{
     SceneKeyword{"cone", read_cone, true},
     SceneKeyword{"taperedCylinder s", read_tapered_cylinder, true},
     SceneKeyword{"polyhedron planes|vertices n ...", read_convex_polyhedron, true},
+    SceneKeyword{"mesh FILE", read_triangles, true},
     SceneKeyword{"square", read_flat<Square>, true},
     SceneKeyword{"disc", read_flat<Disc>, true},
     SceneKeyword{"plane", read_flat<Plane>, true},

@@ -1,4 +1,5 @@
 #include "core/plan.h"
+#include "core/plan_extent.h"
 #include "spectral/observer.h"
 #include "tests/catch.h"
 #include "tests/render_text.h"
@@ -208,4 +209,13 @@ TEST_CASE("a lamp's white does not change with the number of bands") {
       CHECK(seen.z == Approx(white.z).epsilon(1e-6));
     }
   }
+}
+
+TEST_CASE("an endless plane makes the scene no larger") {
+  const std::string text = kLibrary + "falloff square light 2a 0 5 0 1 translate 0 0 3 sphere ";
+  const Scene bounded = test::scene_from(text), endless = test::scene_from(text + "plane");
+  CHECK(farthest_coordinate(bounded) == 5.0);
+  CHECK(farthest_coordinate(endless) == 5.0);
+  const BandGrid grid(81);
+  CHECK(film_quantum(endless, grid) == film_quantum(bounded, grid));
 }

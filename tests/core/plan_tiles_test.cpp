@@ -43,6 +43,7 @@ TEST_CASE("tiles far from every shape are empty") {
 TEST_CASE("a shape that fills the picture or surrounds the eye leaves no tile empty") {
   CHECK(empty_tiles(plan_of("imageSize 64 64 scale 9 9 1 square")) == 0);
   CHECK(empty_tiles(plan_of("imageSize 64 64 scale 9 9 9 sphere")) == 0);
+  CHECK(empty_tiles(plan_of("imageSize 64 64 translate 0 -1 0 rotate 90 1 0 0 plane")) == 0);
   // The square passes beside the eye; its box is partly behind it.
   CHECK(empty_tiles(
             plan_of("imageSize 64 64 translate 3 0 5 rotate 90 0 1 0 scale 9 9 9 square")) == 0);
