@@ -217,5 +217,6 @@ TEST_CASE("an endless plane makes the scene no larger") {
   CHECK(farthest_coordinate(bounded) == 5.0);
   CHECK(farthest_coordinate(endless) == 5.0);
   const BandGrid grid(81);
-  CHECK(film_quantum(endless, grid) == film_quantum(bounded, grid));
+  CHECK(film_quantum(endless, grid, Observer::cie1931_2deg) ==
+        film_quantum(bounded, grid, Observer::cie1931_2deg));
 }
