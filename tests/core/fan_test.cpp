@@ -177,7 +177,7 @@ TEST_CASE("bands whose rays meet different faces or shapes do not share, whateve
   FanScene open(kOutwards, kMiddle);
   const std::string there = "push translate " + std::to_string(own_hit(open, 40).point.x) + " 0 0 ";
   // A box whose edge faces the fan, and two walls, one of which ends within it.
-  for (const char* obstacle : {"push translate 0 0 -5 rotate 45 0 1 0 cube pop pop\n",
+  for (const char* obstacle : {"push translate 0 0 -7.3 rotate 45 0 1 0 cube pop pop\n",
                                "push translate 30 0 -5.9 scale 30 30 1 square pop pop\n"}) {
     int parted = 0;
     for (double x = 200.0; x < 312.0; x += 4.0) {
