@@ -77,7 +77,7 @@ void add_choice(CLI::App& app, const std::string& names, std::optional<T>& targe
     words.push_back(word);
   app.add_option_function<std::string>(
          names, [&target, choices](const std::string& word) { target = choices.at(word); }, help)
-      ->check(CLI::IsMember(words))
+      ->check(CLI::IsMember(words).description(""))
       ->type_name(fmt::format("{}", fmt::join(words, "|")));
 }
 
@@ -200,7 +200,7 @@ void add_outputs(CLI::App& app, Options& options) {
          "--exr-space",
          [&options](const std::string& word) { options.output.exr_space = kExrSpaces.at(word); },
          "Primaries and white of EXR (default rec709); the spectral EXR's preview stays rec709")
-      ->check(CLI::IsMember({"rec709", "acescg", "aces2065-1", "rec2020"}))
+      ->check(CLI::IsMember({"rec709", "acescg", "aces2065-1", "rec2020"}).description(""))
       ->type_name("rec709|acescg|aces2065-1|rec2020");
   app.add_option_function<std::string>(
          "--exr-pixel",
@@ -208,7 +208,7 @@ void add_outputs(CLI::App& app, Options& options) {
            options.output.exr_pixel = word == "half" ? ExrPixel::half : ExrPixel::single;
          },
          "Precision of EXR pixels (default half)")
-      ->check(CLI::IsMember({"half", "float"}))
+      ->check(CLI::IsMember({"half", "float"}).description(""))
       ->type_name("half|float");
   app.add_option_function<std::string>(
          "--tiff-depth",
@@ -218,10 +218,10 @@ void add_outputs(CLI::App& app, Options& options) {
                                                       : TiffDepth::float32;
          },
          "Bits per TIFF channel; 32 is linear floating point (default 8)")
-      ->check(CLI::IsMember({"8", "16", "32"}))
+      ->check(CLI::IsMember({"8", "16", "32"}).description(""))
       ->type_name("8|16|32");
   app.add_option("--png-depth", options.output.png_bits, "Bits per PNG channel (default 8)")
-      ->check(CLI::IsMember({8, 16}))
+      ->check(CLI::IsMember({8, 16}).description(""))
       ->type_name("8|16");
   app.add_flag("-q,--quiet", options.quiet, "Print warnings and errors only");
 }
