@@ -1,8 +1,7 @@
 #include "io/atomic_file.h"
 
 #include "tests/catch.h"
-
-#include <unistd.h>
+#include "tests/io/temporary_folder.h"
 
 #include <fstream>
 #include <iterator>
@@ -11,28 +10,10 @@
 
 using namespace abbe;
 namespace fs = std::filesystem;
+using test::content;
+using test::Folder;
 
 namespace {
-
-/// A new empty folder, which goes with its scope.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("abbe_atomic_file." + std::to_string(::getpid()));
-  Folder() {
-    fs::remove_all(path);
-    fs::create_directory(path);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path); }
-  [[nodiscard]] auto file_count() const {
-    return std::distance(fs::directory_iterator(path), fs::directory_iterator());
-  }
-};
-
-std::string content(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 void put(const fs::path& path, const std::string& text) {
   std::ofstream(path) << text;

@@ -1,6 +1,7 @@
 #include "io/write_exr.h"
 
 #include "tests/catch.h"
+#include "tests/io/temporary_folder.h"
 
 #include <Imath/ImathBox.h>
 #include <OpenEXR/ImfChannelList.h>
@@ -10,8 +11,6 @@
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfVersion.h>
-
-#include <unistd.h>
 
 #include <cmath>
 #include <fstream>
@@ -23,25 +22,10 @@
 
 using namespace abbe;
 namespace fs = std::filesystem;
+using test::content;
+using test::Folder;
 
 namespace {
-
-/// A new empty folder, which goes with its scope.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("abbe_write_exr." + std::to_string(::getpid()));
-  Folder() {
-    fs::remove_all(path);
-    fs::create_directory(path);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path); }
-};
-
-std::string content(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// Exact in 16 bits (at most 11 significant bits): below 0 and above 1 too.
 float pattern(int x, int y, int channel) {

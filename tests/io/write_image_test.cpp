@@ -1,9 +1,7 @@
 #include "io/write_image.h"
 
 #include "tests/catch.h"
-
-#include <sys/resource.h>
-#include <unistd.h>
+#include "tests/io/temporary_folder.h"
 
 #include <csignal>
 #include <cstdint>
@@ -12,27 +10,15 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <sys/resource.h>
 #include <utility>
 
 using namespace abbe;
 namespace fs = std::filesystem;
+using test::content;
+using test::Folder;
 
 namespace {
-
-/// A new empty folder, which goes with its scope.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("abbe_write_image." + std::to_string(::getpid()));
-  Folder() {
-    fs::remove_all(path);
-    fs::create_directory(path);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path); }
-  [[nodiscard]] auto file_count() const {
-    return std::distance(fs::directory_iterator(path), fs::directory_iterator());
-  }
-};
 
 /// A full disk, as far as this process can tell: no file may grow beyond `bytes`.
 class FileSizeLimit {
@@ -53,11 +39,6 @@ private:
   rlimit old_{};
   void (*handler_)(int) = std::signal(SIGXFSZ, SIG_IGN);
 };
-
-std::string content(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// Grey noise (a linear congruential generator), which no compression makes small.
 std::vector<float> noise(std::size_t count) {

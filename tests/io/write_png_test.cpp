@@ -2,10 +2,9 @@
 
 #include "io/icc_profile.h"
 #include "tests/catch.h"
+#include "tests/io/temporary_folder.h"
 
 #include <png.h>
-
-#include <unistd.h>
 
 #include <cstdio>
 #include <cstring>
@@ -17,25 +16,10 @@
 
 using namespace abbe;
 namespace fs = std::filesystem;
+using test::content;
+using test::Folder;
 
 namespace {
-
-/// A new empty folder, which goes with its scope.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("abbe_write_png." + std::to_string(::getpid()));
-  Folder() {
-    fs::remove_all(path);
-    fs::create_directory(path);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path); }
-};
-
-std::string content(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// A whole picture, by libpng itself. An error of libpng ends the test program (its default).
 struct Png {

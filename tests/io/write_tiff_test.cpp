@@ -2,10 +2,9 @@
 
 #include "io/icc_profile.h"
 #include "tests/catch.h"
+#include "tests/io/temporary_folder.h"
 
 #include <tiffio.h>
-
-#include <unistd.h>
 
 #include <array>
 #include <cstring>
@@ -18,25 +17,10 @@
 
 using namespace abbe;
 namespace fs = std::filesystem;
+using test::content;
+using test::Folder;
 
 namespace {
-
-/// A new empty folder, which goes with its scope.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("abbe_write_tiff." + std::to_string(::getpid()));
-  Folder() {
-    fs::remove_all(path);
-    fs::create_directory(path);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path); }
-};
-
-std::string content(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 struct CloseTiff {
   void operator()(TIFF* tiff) const { TIFFClose(tiff); }
