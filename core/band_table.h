@@ -45,18 +45,4 @@ private:
   bool zero_ = false;
 };
 
-/// sum[b] += throughput[b] * table[b] * factor for the bands from first to last (exclusive).
-inline void accumulate(float* sum, const float* throughput, const BandTable& table, float factor,
-                       int first, int last) {
-  if (const auto constant = table.constant()) {
-    const float product = *constant * factor;
-    for (int b = first; b < last; ++b)
-      sum[b] += throughput[b] * product;
-  } else {
-    const float* values = table.data();
-    for (int b = first; b < last; ++b)
-      sum[b] += throughput[b] * (values[b] * factor);
-  }
-}
-
 } // namespace abbe

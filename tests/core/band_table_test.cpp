@@ -51,16 +51,3 @@ TEST_CASE("a constant curve is stored as one number only when that is asked for"
   CHECK(BandTable::at_centers(grid, Curve(), true).zero());
   CHECK(BandTable::at_centers(grid, Curve(), false).zero());
 }
-
-TEST_CASE("accumulate adds the asked bands, with the same bytes for a constant stored either way") {
-  const BandGrid grid(5);
-  const float throughput[5] = {0.1f, 0.2f, 0.3f, 0.4f, 0.5f};
-  for (const bool keep_constant : {true, false}) {
-    float sum[5] = {1.0f, 1.0f, 1.0f, 1.0f, 1.0f};
-    accumulate(sum, throughput, BandTable::at_centers(grid, Curve::constant(0.7), keep_constant),
-               0.3f, 1, 4);
-    CHECK(sum[0] == 1.0f);
-    CHECK(sum[2] == 1.0f + 0.3f * (0.7f * 0.3f));
-    CHECK(sum[4] == 1.0f);
-  }
-}
