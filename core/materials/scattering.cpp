@@ -33,7 +33,7 @@ dvec3 cosine_direction(const dvec2& u) {
 
 } // namespace
 
-Scattering::Scattering(const Plan& plan, Transport transport) : transport_(transport) {
+Scattering::Scattering(const Plan& plan, Transport transport) : plan_(plan), transport_(transport) {
   factors_.reflected.resize(plan.stride);
   factors_.transmitted.resize(plan.stride);
 }
@@ -75,7 +75,8 @@ void Scattering::find_smooth_parts(const float* throughput, PathWavelengths& wav
     scatter_dielectric(material, cos_i, before, after, first_, last_, factors_, transport_);
     // Radiance in a dense medium is n^2 times that outside and will lose this again: what counts
     // is the flux.
-    const double eta = transport_ == Transport::radiance ? after[first_] / before[first_] : 1.0;
+    const int b = std::max(first_, plan_.live_first); // whether or not dead bands are carried
+    const double eta = transport_ == Transport::radiance ? after[b] / before[b] : 1.0;
     if (material.transmits)
       refract_ = eta * eta * brought(throughput, factors_.transmitted.data(), first_, last_);
   } else if (material.conductor) {

@@ -64,6 +64,7 @@ private:
   void find_smooth_parts(const float* throughput, PathWavelengths& wavelengths);
   [[nodiscard]] double phong_density(const dvec3& local) const;
 
+  const Plan& plan_;
   Transport transport_;
   const MaterialPlan* material_ = nullptr;
   const Hit* hit_ = nullptr;
