@@ -74,7 +74,7 @@ TEST_CASE("each band of Newton's spectrum lands where Snell sends it, with what 
   LightPaths paths(plan, world, nullptr, film);
   PhotonBatch batch;
   RayCounts counts;
-  constexpr std::uint32_t kPaths = 1u << 15;
+  constexpr std::uint32_t kPaths = 1u << 17;
   for (std::uint32_t i = 0; i < kPaths; ++i) {
     const Sampler sampler(0, 0, i, 7);
     if (const auto ray = emission.emitters()[0].sample(sampler))
