@@ -66,7 +66,7 @@ public:
 
 private:
   [[nodiscard]] static double largest(const dvec3& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
   }
 
   glm::dmat3 linear_{1.0};

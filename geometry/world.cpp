@@ -91,6 +91,7 @@ std::vector<PlacedShape> flattened(std::vector<PlacedShape> shapes) {
 
 struct World::Impl {
   std::vector<PlacedShape> shapes;
+  ShapeTable table;
   ShapeGroups groups;
   double farthest_coordinate; ///< of the bounded shapes, and of all places where rays begin
   std::string error;          ///< Embree's, while the world is built
@@ -107,13 +108,15 @@ struct World::Impl {
     embree::init(query.context);
     return query;
   }
-  [[nodiscard]] std::optional<Hit> closest(const RayState& state, double distance) const;
-  [[nodiscard]] std::optional<Hit>
-  first_visible(const RayState& start, const NearestCandidates& nearest, double distance) const;
+  // Both write what is met to `hit`: the caller's place, since a hit is large.
+  void closest(const RayState& state, double distance, std::optional<Hit>& hit) const;
+  void first_visible(const RayState& start, const NearestCandidates& nearest, double distance,
+                     std::optional<Hit>& hit) const;
+  void go_on_behind(const RayState& start, double distance, std::optional<Hit>& hit) const;
 };
 
 World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_origin)
-    : shapes(flattened(placed)), farthest_coordinate(farthest_origin),
+    : shapes(flattened(placed)), table(shapes), farthest_coordinate(farthest_origin),
       device(rtcNewDevice(nullptr)) {
   if (!device) throw std::runtime_error("Embree: cannot make a device");
   rtcSetDeviceErrorFunction(
@@ -135,38 +138,45 @@ World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_origin
   if (!error.empty()) throw std::runtime_error("Embree: " + error);
 }
 
-std::optional<Hit> World::Impl::closest(const RayState& state, double distance) const {
+void World::Impl::closest(const RayState& state, double distance, std::optional<Hit>& hit) const {
   NearestCandidates nearest;
   Query query = query_for(&state, &nearest, distance);
   trace_single(scene.get(), query);
-  return first_visible(state, nearest, distance);
+  first_visible(state, nearest, distance, hit);
 }
 
-/// Turns the nearest candidates into a hit; goes on behind boundaries that do not show. After
-/// very many of them, which only rounding among many touching faces could make, it returns one: a
-/// ray goes through it unchanged, since the media on its sides are equal.
-std::optional<Hit> World::Impl::first_visible(const RayState& start,
-                                              const NearestCandidates& nearest,
-                                              double distance) const {
-  if (nearest.empty()) return std::nullopt;
-  Boundary boundary = resolve(shapes, start, nearest.boundary());
-  if (boundary.visible) return boundary.hit;
+/// Turns the nearest candidates into a hit; goes on behind boundaries that do not show.
+void World::Impl::first_visible(const RayState& start, const NearestCandidates& nearest,
+                                double distance, std::optional<Hit>& hit) const {
+  if (nearest.empty())
+    hit.reset();
+  else if (!resolve(table, start, nearest.boundary(), hit.emplace()))
+    go_on_behind(start, distance, hit);
+}
+
+/// Goes on behind `hit`, which does not show, to the first boundary that does. After very many,
+/// which only rounding among many touching faces could make, it takes one that does not: a ray goes
+/// through it unchanged, since the media on its sides are equal.
+void World::Impl::go_on_behind(const RayState& start, double distance,
+                               std::optional<Hit>& hit) const {
   RayState state = start;
   double travelled = 0.0;
-  for (int passed_count = 0; !boundary.visible && passed_count < kMostPassed; ++passed_count) {
-    const Hit& passed = boundary.hit;
-    travelled += passed.t;
-    state.ray.origin = passed.point;
-    state.contacts = passed.other_side;
-    state.nesting = passed.nesting_after;
+  bool visible = false;
+  for (int passed_count = 0; !visible && passed_count < kMostPassed; ++passed_count) {
+    travelled += hit->t;
+    state.ray.origin = hit->point;
+    state.contacts = hit->other_side;
+    state.nesting = hit->nesting_after;
     NearestCandidates next;
     Query query = query_for(&state, &next, distance - travelled);
     trace_single(scene.get(), query);
-    if (next.empty()) return std::nullopt;
-    boundary = resolve(shapes, state, next.boundary());
+    if (next.empty()) {
+      hit.reset();
+      return;
+    }
+    visible = resolve(table, state, next.boundary(), hit.emplace());
   }
-  boundary.hit.t += travelled;
-  return boundary.hit;
+  hit->t += travelled;
 }
 
 World::World(const std::vector<PlacedShape>& shapes, double farthest_coordinate)
@@ -176,7 +186,9 @@ World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
 std::optional<Hit> World::closest(const RayState& state) const {
-  return impl_->closest(state, kInfinity);
+  std::optional<Hit> hit;
+  impl_->closest(state, kInfinity, hit);
+  return hit;
 }
 
 void World::closest(std::span<const RayState> states, std::span<std::optional<Hit>> hits,
@@ -185,7 +197,7 @@ void World::closest(std::span<const RayState> states, std::span<std::optional<Hi
     const std::size_t count = std::min(kWidest, states.size() - begin);
     if (tracing == Tracing::single || count == 1) {
       for (std::size_t i = begin; i < begin + count; ++i)
-        hits[i] = closest(states[i]);
+        impl_->closest(states[i], kInfinity, hits[i]);
       continue;
     }
     std::array<NearestCandidates, kWidest> nearest;
@@ -197,7 +209,7 @@ void World::closest(std::span<const RayState> states, std::span<std::optional<Hi
     else
       trace_packet<RTCRayHit16, 16>(impl_->scene.get(), query, count);
     for (std::size_t i = 0; i < count; ++i)
-      hits[begin + i] = impl_->first_visible(states[begin + i], nearest[i], kInfinity);
+      impl_->first_visible(states[begin + i], nearest[i], kInfinity, hits[begin + i]);
   }
 }
 
@@ -210,7 +222,10 @@ bool World::occluded(const RayState& state, double distance) const {
   set_ray(ray, 0, state.ray, query.farthest_coordinate, rounded_up(distance));
   embree::occluded(impl_->scene.get(), query.context, ray);
   if (ray.tfar < 0.0f) return true;
-  return query.met_glass && impl_->closest(state, distance).has_value();
+  if (!query.met_glass) return false;
+  std::optional<Hit> hit;
+  impl_->closest(state, distance, hit);
+  return hit.has_value();
 }
 
 std::size_t World::replay_closest(std::span<const RayState> states, int width) const {
@@ -257,7 +272,7 @@ Nesting World::nesting_at(const dvec3& point) const {
 }
 
 MediumId World::medium_of(const Nesting& nesting) const {
-  return abbe::medium_of(impl_->shapes, nesting);
+  return abbe::medium_of(impl_->table, nesting);
 }
 
 const std::vector<PlacedShape>& World::shapes() const {

@@ -117,10 +117,6 @@ void attach_type(const ShapeGroups& groups, RTCDevice device, RTCScene scene) {
 
 } // namespace
 
-float rounded_up(double value) {
-  return std::nextafter(static_cast<float>(value), kFloatInfinity);
-}
-
 void attach(const ShapeGroups& groups, RTCDevice device, RTCScene scene) {
   [&]<std::size_t... Type>(std::index_sequence<Type...>) {
     (attach_type<Type>(groups, device, scene), ...);
