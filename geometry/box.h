@@ -1,9 +1,9 @@
 #pragma once
 
-#include "geometry/interval.h"
-#include "geometry/local_ray.h"
+#include "geometry/plane_interval.h"
 #include "geometry/transform.h"
 
+#include <cmath>
 #include <optional>
 
 namespace abbe {
@@ -12,6 +12,38 @@ namespace abbe {
 /// upper.
 struct Box {};
 
+/// The part of the ray's line inside the box. With a contact the root of its face is t = 0.
+[[nodiscard]] inline std::optional<PlaneInterval> plane_interval(const Box&, const LocalRay& ray,
+                                                                 const FaceContact* contact) {
+  if (contact && contact->side == Side::outside) return std::nullopt; // convex: never met again
+  PlaneInterval inside;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double o = ray.origin[axis];
+    const double d = ray.direction[axis];
+    if (d == 0.0) {
+      if (!contact && std::abs(o) > 1.0) return std::nullopt;
+      continue;
+    }
+    // The ray enters through the face it runs against and leaves through the opposite one.
+    const int exit_face = 2 * axis + (d > 0.0 ? 1 : 0);
+    const double sign = d > 0.0 ? 1.0 : -1.0;
+    const double t_exit = (sign - o) / d;
+    if (t_exit < inside.exit.t && !(contact && contact->face == exit_face))
+      inside.exit = {t_exit, exit_face};
+    const double t_enter = (-sign - o) / d;
+    if (t_enter > inside.enter.t) inside.enter = {t_enter, exit_face ^ 1};
+  }
+  if (contact)
+    inside.enter = {0.0, contact->face};
+  else if (inside.enter.t > inside.exit.t)
+    return std::nullopt;
+  return inside;
+}
+/// The same root with its bound of error.
+[[nodiscard]] inline Root with_error(const Box&, const LocalRay& ray, const PlaneRoot& root) {
+  const double speed = std::abs(ray.direction[root.face / 2]);
+  return {root.t, plane_root_error(ray, speed, root.t, 1.0), {0, root.face}};
+}
 [[nodiscard]] std::optional<Interval> intersect(const Box& box, const LocalRay& ray,
                                                 const FaceContact* contact = nullptr);
 [[nodiscard]] dvec3 outward_normal(const Box& box, const dvec3& point, int face);

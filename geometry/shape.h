@@ -78,20 +78,32 @@ template <ConvexSolid S>
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const S& solid, const LocalRay& ray,
                                                          const ShapeState& state) {
   if (state.touching && !state.inside) return std::nullopt; // convex: never met again
-  const FaceContact contact{state.face.face, Side::inside};
-  const auto interval = intersect(solid, ray, state.touching ? &contact : nullptr);
+  const FaceContact touched{state.face.face, Side::inside};
+  const FaceContact* contact = state.touching ? &touched : nullptr;
+  const auto inside = [&] {
+    if constexpr (PlaneFaced<S>)
+      return plane_interval(solid, ray, contact);
+    else
+      return intersect(solid, ray, contact);
+  }();
+  const auto bounded = [&](const auto& root) {
+    if constexpr (PlaneFaced<S>)
+      return with_error(solid, ray, root);
+    else
+      return root;
+  };
   if (state.inside) {
     // The exit is endless only for a ray that runs out through the face it should run in from.
-    if (!interval || interval->exit.t == kInfinity)
+    if (!inside || inside->exit.t == kInfinity)
       return ShapeCrossing{0.0, 0.0, {0, nearest_face(solid, ray.origin)}, false};
-    const Root& exit = interval->exit;
+    const Root exit = bounded(inside->exit);
     return ShapeCrossing{exit.t > 0.0 ? exit.t : 0.0, exit.t_error, exit.face, false};
   }
-  if (!interval) return std::nullopt;
-  const Root& enter = interval->enter;
+  if (!inside || inside->exit.t < 0.0) return std::nullopt;
+  const Root enter = bounded(inside->enter);
   if (enter.t >= 0.0) return ShapeCrossing{enter.t, enter.t_error, enter.face, true};
   // Behind the origin by no more than rounding, with the solid ahead: it is entered here.
-  if (-enter.t <= enter.t_error && interval->exit.t > -enter.t)
+  if (-enter.t <= enter.t_error && inside->exit.t > -enter.t)
     return ShapeCrossing{0.0, enter.t_error, enter.face, true};
   return std::nullopt;
 }

@@ -128,9 +128,10 @@ World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_origin
   for (const PlacedShape& shape : shapes)
     if (is_bounded(shape.shape))
       farthest_coordinate = std::max(farthest_coordinate, bounds(shape).largest_coordinate());
-  groups.fill({&shapes, {}, bounds_padding(farthest_coordinate)});
+  groups.fill({{}, bounds_padding(farthest_coordinate)});
   for (std::size_t i = 0; i < shapes.size(); ++i)
-    groups[shapes[i].shape.index()].ids.push_back({static_cast<std::int32_t>(i)});
+    groups[shapes[i].shape.index()].primitives.emplace_back(shapes[i],
+                                                            ShapeId{static_cast<std::int32_t>(i)});
   scene.reset(rtcNewScene(device.get()));
   rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
   attach(groups, device.get(), scene.get());

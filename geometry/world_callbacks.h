@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/boundary.h"
+#include "geometry/frame.h"
 #include "geometry/world_embree.h"
 
 #include <array>
@@ -12,11 +13,21 @@
 
 namespace abbe {
 
+/// What a callback needs of a shape, close together.
+struct Primitive {
+  Primitive(const PlacedShape& shape, ShapeId number)
+      : frame(shape.to_world), placed(&shape), id(number), glass(shape.medium.valid()) {}
+
+  Frame frame;
+  const PlacedShape* placed;
+  ShapeId id;
+  bool glass;
+};
+
 /// One Embree geometry holds all shapes of one type, so a callback need not ask for the type.
 struct ShapeGroup {
-  const std::vector<PlacedShape>* shapes = nullptr;
-  std::vector<ShapeId> ids; ///< by Embree's primitive number
-  double padding = 0.0;     ///< what bounds grow by, for the float error of Embree's rays
+  std::vector<Primitive> primitives; ///< by Embree's number
+  double padding = 0.0;              ///< what bounds grow by, for the float error of Embree's rays
 };
 /// By the type's place in Shape.
 using ShapeGroups = std::array<ShapeGroup, std::variant_size_v<Shape>>;
