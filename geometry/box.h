@@ -13,8 +13,8 @@ namespace abbe {
 struct Box {};
 
 /// The part of the ray's line inside the box. With a contact the root of its face is t = 0.
-[[nodiscard]] inline std::optional<PlaneInterval> plane_interval(const Box&, const LocalRay& ray,
-                                                                 const FaceContact* contact) {
+[[nodiscard]] std::optional<PlaneInterval> plane_interval(const Box&, const RayInFrame auto& ray,
+                                                          const FaceContact* contact) {
   if (contact && contact->side == Side::outside) return std::nullopt; // convex: never met again
   PlaneInterval inside;
   for (int axis = 0; axis < 3; ++axis) {
@@ -40,7 +40,7 @@ struct Box {};
   return inside;
 }
 /// The same root with its bound of error.
-[[nodiscard]] inline Root with_error(const Box&, const LocalRay& ray, const PlaneRoot& root) {
+[[nodiscard]] Root with_error(const Box&, const RayInFrame auto& ray, const PlaneRoot& root) {
   const double speed = std::abs(ray.direction[root.face / 2]);
   return {root.t, plane_root_error(ray, speed, root.t, 1.0), {0, root.face}};
 }

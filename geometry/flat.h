@@ -35,18 +35,16 @@ concept FlatShape = requires(const S& shape, const dvec3& point) {
   return true;
 }
 
-/// Where a line meets the plane z = 0. Nothing for a line in the plane, which sees no area of it.
-[[nodiscard]] inline std::optional<Root> plane_root(const LocalRay& ray) {
+/// Where a line meets the shape. Nothing for a line in its plane, which sees no area of it, and
+/// nothing behind the origin or at `farthest` and beyond. A ray that leaves a flat surface never
+/// meets it again.
+template <FlatShape S>
+[[nodiscard]] std::optional<Root> intersect(const S& shape, const RayInFrame auto& ray,
+                                            double farthest = kInfinity) {
   if (ray.direction.z == 0.0) return std::nullopt;
   const double t = -ray.origin.z / ray.direction.z;
+  if (t < 0.0 || t >= farthest || !covers(shape, ray.at(t))) return std::nullopt;
   return Root{t, plane_root_error(ray, std::abs(ray.direction.z), t, 1.0), {}};
-}
-
-/// Where the line meets the shape. A ray that leaves a flat surface never meets it again.
-template <FlatShape S>
-[[nodiscard]] std::optional<Root> intersect(const S& shape, const LocalRay& ray) {
-  const auto root = plane_root(ray);
-  return root && covers(shape, ray.at(root->t)) ? root : std::nullopt;
 }
 
 template <FlatShape S>

@@ -18,15 +18,28 @@ public:
     }
   }
 
-  /// `ray` seen from the frame; see abbe::local_ray.
-  [[nodiscard]] LocalRay local_ray(const Ray& ray) const {
+  /// A ray seen from the frame, as by abbe::local_ray. Its bounds of error are worked out when
+  /// asked for: most rays miss. The frame and the ray must stay as long.
+  struct SeenRay {
+    dvec3 origin, direction;
+    const Frame* frame;
+    const Ray* ray;
+
+    [[nodiscard]] dvec3 at(double t) const { return origin + t * direction; }
+    [[nodiscard]] double shift_at(double t, double size) const {
+      return with_errors().shift_at(t, size);
+    }
+    [[nodiscard]] LocalRay with_errors() const {
+      return {origin, direction,
+              Transform::way_error(frame->inverse_norm_, ray->origin, 0.0, frame->image_size_),
+              Transform::way_error(frame->inverse_norm_, ray->direction, 0.0, 0.0)};
+    }
+  };
+  [[nodiscard]] SeenRay see(const Ray& ray) const {
     const Wide o =
         mapped(ray.origin.x - offset_.x, ray.origin.y - offset_.y, ray.origin.z - offset_.z);
     const Wide d = mapped(ray.direction.x, ray.direction.y, ray.direction.z);
-    return {{o[0], o[1], o[2]},
-            {d[0], d[1], d[2]},
-            Transform::way_error(inverse_norm_, ray.origin, 0.0, image_size_),
-            Transform::way_error(inverse_norm_, ray.direction, 0.0, 0.0)};
+    return {{o[0], o[1], o[2]}, {d[0], d[1], d[2]}, this, &ray};
   }
 
 private:

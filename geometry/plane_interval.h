@@ -28,7 +28,7 @@ concept PlaneFaced = requires(const S& solid, const LocalRay& ray, const FaceCon
 
 /// Both ends of the interval with their bounds of error.
 template <class S>
-[[nodiscard]] std::optional<Interval> with_errors(const S& solid, const LocalRay& ray,
+[[nodiscard]] std::optional<Interval> with_errors(const S& solid, const RayInFrame auto& ray,
                                                   const FaceContact* contact) {
   const auto found = plane_interval(solid, ray, contact);
   if (!found) return std::nullopt;

@@ -90,30 +90,6 @@ ConvexPolyhedron thesis_prism() {
       {{{0, 1, 0}, 1}, {{0, -1, 0}, 1}, {{0, 0, 1}, 1}, {{-h, 0, -0.5}, 1}, {{h, 0, -0.5}, 1}});
 }
 
-std::optional<PlaneInterval> plane_interval(const ConvexPolyhedron& solid, const LocalRay& ray,
-                                            const FaceContact* contact) {
-  const std::vector<HalfSpace>& planes = solid.half_spaces();
-  const int count = static_cast<int>(planes.size());
-  PlaneInterval inside;
-  if (!contact) {
-    for (int i = 0; i < count; ++i)
-      if (!narrow(inside, planes[static_cast<std::size_t>(i)], i, ray)) return std::nullopt;
-    return inside;
-  }
-  if (contact->side == Side::outside) return std::nullopt; // convex: never met again
-  // Known to be inside: every other face can only end the interval, never begin or empty it.
-  for (int i = 0; i < count; ++i) {
-    if (i == contact->face) continue;
-    const HalfSpace& plane = planes[static_cast<std::size_t>(i)];
-    const double denom = glm::dot(plane.normal, ray.direction);
-    if (denom <= 0.0) continue;
-    const double t = (plane.offset - glm::dot(plane.normal, ray.origin)) / denom;
-    if (t < inside.exit.t) inside.exit = {t, i};
-  }
-  inside.enter = {0.0, contact->face};
-  return inside;
-}
-
 std::optional<Interval> intersect(const ConvexPolyhedron& solid, const LocalRay& ray,
                                   const FaceContact* contact) {
   return with_errors(solid, ray, contact);

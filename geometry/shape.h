@@ -66,17 +66,20 @@ struct ShapeState {
                                                          const ShapeState& state);
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const Mesh& mesh, const LocalRay& ray,
                                                          const ShapeState& state);
+// What lies at `farthest` or beyond need not be found.
 template <FlatShape S>
-[[nodiscard]] std::optional<ShapeCrossing> next_crossing(const S& shape, const LocalRay& ray,
-                                                         const ShapeState& state) {
+[[nodiscard]] std::optional<ShapeCrossing> next_crossing(const S& shape, const RayInFrame auto& ray,
+                                                         const ShapeState& state,
+                                                         double farthest = kInfinity) {
   if (state.touching) return std::nullopt;
-  const auto root = intersect(shape, ray);
-  if (!root || root->t < 0.0) return std::nullopt;
+  const auto root = intersect(shape, ray, farthest);
+  if (!root) return std::nullopt;
   return ShapeCrossing{root->t, root->t_error, root->face, ray.direction.z < 0.0};
 }
 template <ConvexSolid S>
-[[nodiscard]] std::optional<ShapeCrossing> next_crossing(const S& solid, const LocalRay& ray,
-                                                         const ShapeState& state) {
+[[nodiscard]] std::optional<ShapeCrossing> next_crossing(const S& solid, const RayInFrame auto& ray,
+                                                         const ShapeState& state,
+                                                         double farthest = kInfinity) {
   if (state.touching && !state.inside) return std::nullopt; // convex: never met again
   const FaceContact touched{state.face.face, Side::inside};
   const FaceContact* contact = state.touching ? &touched : nullptr;
@@ -99,7 +102,7 @@ template <ConvexSolid S>
     const Root exit = bounded(inside->exit);
     return ShapeCrossing{exit.t > 0.0 ? exit.t : 0.0, exit.t_error, exit.face, false};
   }
-  if (!inside || inside->exit.t < 0.0) return std::nullopt;
+  if (!inside || inside->exit.t < 0.0 || inside->enter.t >= farthest) return std::nullopt;
   const Root enter = bounded(inside->enter);
   if (enter.t >= 0.0) return ShapeCrossing{enter.t, enter.t_error, enter.face, true};
   // Behind the origin by no more than rounding, with the solid ahead: it is entered here.

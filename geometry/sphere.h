@@ -18,16 +18,16 @@ struct Sphere {};
 /// surface shifted by e changes cosine^2 = 1 - height^2 by 2 e, and the roots by
 /// |sqrt(D) - sqrt(D +- 2 e)| <= 2 e / max(sqrt(D), sqrt(2 e)): where the line only grazes, the
 /// error is that of a square root.
-[[nodiscard]] inline double sphere_root_error(const LocalRay& ray, double speed, double cosine,
-                                              double farther_t) {
+[[nodiscard]] double sphere_root_error(const RayInFrame auto& ray, double speed, double cosine,
+                                       double farther_t) {
   const double change = 2.0 * ray.shift_at(farther_t, 1.0);
   return change / (speed * std::max(cosine, std::sqrt(change))) +
          4.0 * kRoundoff * std::abs(farther_t);
 }
 
 /// The part of the ray's line inside the ball. With a contact the root of the surface is t = 0.
-[[nodiscard]] inline std::optional<Interval> intersect(const Sphere&, const LocalRay& ray,
-                                                       const FaceContact* contact = nullptr) {
+[[nodiscard]] std::optional<Interval> intersect(const Sphere&, const RayInFrame auto& ray,
+                                                const FaceContact* contact = nullptr) {
   // |o + t d|^2 = 1 is a t^2 + 2 b t + c = 0.
   const double a = glm::dot(ray.direction, ray.direction);
   const double b = glm::dot(ray.origin, ray.direction);

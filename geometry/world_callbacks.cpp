@@ -17,17 +17,20 @@ bool contradicts(const S& shape, const LocalRay& ray, const SurfaceContact& cont
   return contact.side == Side::outside ? outwards < 0.0 : outwards > 0.0;
 }
 
-/// The ray in the frame of the shape. A tree's leaves are placed in the world already.
+/// The ray in the frame of the shape, with its bounds of error. A tree's leaves are placed in the
+/// world already.
 template <class S>
 LocalRay ray_for(const Primitive& primitive, const Ray& ray) {
   if constexpr (std::is_same_v<S, CsgTree>)
     return {ray.origin, ray.direction};
   else
-    return primitive.frame.local_ray(ray);
+    return primitive.frame.see(ray).with_errors();
 }
 
+/// What a ray meets next of a shape; nothing that lies at `farthest` or beyond.
 template <class S>
-std::optional<ShapeCrossing> crossing(const Primitive& primitive, const RayState& state) {
+std::optional<ShapeCrossing> crossing(const Primitive& primitive, const RayState& state,
+                                      double farthest) {
   const S& shape = *std::get_if<S>(&primitive.placed->shape);
   const ShapeId id = primitive.id;
   ShapeState known;
@@ -41,7 +44,10 @@ std::optional<ShapeCrossing> crossing(const Primitive& primitive, const RayState
     known = {!outside, true, contact.face};
     break;
   }
-  return next_crossing(shape, ray_for<S>(primitive, state.ray), known);
+  if constexpr (FlatShape<S> || PlaneFaced<S> || std::is_same_v<S, Sphere>)
+    return next_crossing(shape, primitive.frame.see(state.ray), known, farthest);
+  else
+    return next_crossing(shape, ray_for<S>(primitive, state.ray), known);
 }
 
 bool surely_nearer(const ShapeCrossing& crossing, double distance) {
@@ -57,7 +63,7 @@ void intersect_callback(const RTCIntersectFunctionNArguments* args) noexcept {
   for (unsigned i = 0; i < args->N; ++i) {
     if (args->valid[i] != -1) continue;
     const unsigned ray = RTCRayN_id(rays, args->N, i);
-    const auto found = crossing<S>(primitive, query.states[ray]);
+    const auto found = crossing<S>(primitive, query.states[ray], query.distance);
     if (!found || !surely_nearer(*found, query.distance)) continue;
     if (!query.found[ray].offer({primitive.id, *found})) continue;
     float& tfar = RTCRayN_tfar(rays, args->N, i);
@@ -72,7 +78,8 @@ void occluded_callback(const RTCOccludedFunctionNArguments* args) noexcept {
   const Primitive& primitive = group.primitives[args->primID];
   for (unsigned i = 0; i < args->N; ++i) {
     if (args->valid[i] != -1) continue;
-    const auto found = crossing<S>(primitive, query.states[RTCRayN_id(args->ray, args->N, i)]);
+    const auto found =
+        crossing<S>(primitive, query.states[RTCRayN_id(args->ray, args->N, i)], query.distance);
     if (!found || !surely_nearer(*found, query.distance)) continue;
     if (query.glass_may_hide && primitive.glass)
       query.met_glass = true;
