@@ -16,22 +16,20 @@ struct Box {};
 [[nodiscard]] std::optional<PlaneInterval> plane_interval(const Box&, const RayInFrame auto& ray,
                                                           const FaceContact* contact) {
   if (contact && contact->side == Side::outside) return std::nullopt; // convex: never met again
+  const Wide o = wide_origin(ray), d = wide_direction(ray), one{1.0, 1.0, 1.0, 1.0};
+  // The ray enters through the face it runs against and leaves through the opposite one.
+  const Wide sign = d > 0.0 ? one : -one;
+  const Wide t_exit = (sign - o) / d, t_enter = (-sign - o) / d;
   PlaneInterval inside;
   for (int axis = 0; axis < 3; ++axis) {
-    const double o = ray.origin[axis];
-    const double d = ray.direction[axis];
-    if (d == 0.0) {
-      if (!contact && std::abs(o) > 1.0) return std::nullopt;
+    if (d[axis] == 0.0) {
+      if (!contact && std::abs(o[axis]) > 1.0) return std::nullopt;
       continue;
     }
-    // The ray enters through the face it runs against and leaves through the opposite one.
-    const int exit_face = 2 * axis + (d > 0.0 ? 1 : 0);
-    const double sign = d > 0.0 ? 1.0 : -1.0;
-    const double t_exit = (sign - o) / d;
-    if (t_exit < inside.exit.t && !(contact && contact->face == exit_face))
-      inside.exit = {t_exit, exit_face};
-    const double t_enter = (-sign - o) / d;
-    if (t_enter > inside.enter.t) inside.enter = {t_enter, exit_face ^ 1};
+    const int exit_face = 2 * axis + (d[axis] > 0.0 ? 1 : 0);
+    if (t_exit[axis] < inside.exit.t && !(contact && contact->face == exit_face))
+      inside.exit = {t_exit[axis], exit_face};
+    if (t_enter[axis] > inside.enter.t) inside.enter = {t_enter[axis], exit_face ^ 1};
   }
   if (contact)
     inside.enter = {0.0, contact->face};

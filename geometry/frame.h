@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/local_ray.h"
+#include "geometry/wide.h"
 
 namespace abbe {
 
@@ -24,6 +25,7 @@ public:
     dvec3 origin, direction;
     const Frame* frame;
     const Ray* ray;
+    Wide wide_o, wide_d; ///< the same once more
 
     [[nodiscard]] dvec3 at(double t) const { return origin + t * direction; }
     [[nodiscard]] double shift_at(double t, double size) const {
@@ -34,18 +36,17 @@ public:
               Transform::way_error(frame->inverse_norm_, ray->origin, 0.0, frame->image_size_),
               Transform::way_error(frame->inverse_norm_, ray->direction, 0.0, 0.0)};
     }
+    friend Wide wide_origin(const SeenRay& seen) { return seen.wide_o; }
+    friend Wide wide_direction(const SeenRay& seen) { return seen.wide_d; }
   };
   [[nodiscard]] SeenRay see(const Ray& ray) const {
     const Wide o =
         mapped(ray.origin.x - offset_.x, ray.origin.y - offset_.y, ray.origin.z - offset_.z);
     const Wide d = mapped(ray.direction.x, ray.direction.y, ray.direction.z);
-    return {{o[0], o[1], o[2]}, {d[0], d[1], d[2]}, this, &ray};
+    return {{o[0], o[1], o[2]}, {d[0], d[1], d[2]}, this, &ray, o, d};
   }
 
 private:
-  /// Four doubles that are worked on at once; the fourth is not used.
-  using Wide = double __attribute__((vector_size(32)));
-
   [[nodiscard]] Wide mapped(double x, double y, double z) const {
     return columns_[0] * x + columns_[1] * y + columns_[2] * z;
   }
