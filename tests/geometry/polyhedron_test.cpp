@@ -43,9 +43,10 @@ TEST_CASE("candidate interval of the thesis's figure 12") {
 TEST_CASE("a line parallel to a plane is wholly inside or outside") {
   const HalfSpace below{{0, 0, 1}, 1.0};
   PlaneInterval candidate;
-  REQUIRE(narrow(candidate, below, 0, {{0, 0, 0.5}, {1, 0, 0}}));
-  REQUIRE(narrow(candidate, below, 0, {{0, 0, 1.0}, {1, 0, 0}})); // in the plane: it touches
-  REQUIRE_FALSE(narrow(candidate, below, 0, {{0, 0, 1.5}, {1, 0, 0}}));
+  REQUIRE(narrow(candidate, below, 0, LocalRay{{0, 0, 0.5}, {1, 0, 0}}));
+  REQUIRE(
+      narrow(candidate, below, 0, LocalRay{{0, 0, 1.0}, {1, 0, 0}})); // in the plane: it touches
+  REQUIRE_FALSE(narrow(candidate, below, 0, LocalRay{{0, 0, 1.5}, {1, 0, 0}}));
   REQUIRE(candidate.enter.t == -kInfinity);
   REQUIRE(candidate.exit.t == kInfinity);
 }
