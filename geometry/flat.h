@@ -35,15 +35,14 @@ concept FlatShape = requires(const S& shape, const dvec3& point) {
   return true;
 }
 
-/// Where a line meets the shape. Nothing for a line in its plane, which sees no area of it, and
-/// nothing behind the origin or at `farthest` and beyond. A ray that leaves a flat surface never
-/// meets it again.
+/// Where a line meets the shape between `first` and `last`, that one not included. Nothing for a
+/// line in the shape's plane, which sees no area of it.
 template <FlatShape S>
 [[nodiscard]] std::optional<Root> intersect(const S& shape, const RayInFrame auto& ray,
-                                            double farthest = kInfinity) {
+                                            double first = -kInfinity, double last = kInfinity) {
   if (ray.direction.z == 0.0) return std::nullopt;
   const double t = -ray.origin.z / ray.direction.z;
-  if (t < 0.0 || t >= farthest || !covers(shape, ray.at(t))) return std::nullopt;
+  if (t < first || t >= last || !covers(shape, ray.at(t))) return std::nullopt;
   return Root{t, plane_root_error(ray, std::abs(ray.direction.z), t, 1.0), {}};
 }
 

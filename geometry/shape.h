@@ -71,8 +71,8 @@ template <FlatShape S>
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const S& shape, const RayInFrame auto& ray,
                                                          const ShapeState& state,
                                                          double farthest = kInfinity) {
-  if (state.touching) return std::nullopt;
-  const auto root = intersect(shape, ray, farthest);
+  if (state.touching) return std::nullopt; // never met again
+  const auto root = intersect(shape, ray, 0.0, farthest);
   if (!root) return std::nullopt;
   return ShapeCrossing{root->t, root->t_error, root->face, ray.direction.z < 0.0};
 }
