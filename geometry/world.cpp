@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -18,37 +19,53 @@ double bounds_padding(double farthest_coordinate) {
   return std::ldexp(farthest_coordinate, -20);
 }
 
-/// Where Embree's ray begins. One that starts far off, on an endless plane, begins where it comes
-/// near the bounded shapes: they lie in a ball of radius sqrt(3) R about the origin, and the place
-/// where the ray enters it has coordinates below sqrt(6) R < 2.5 R. Planes are met from anywhere.
-dvec3 near_origin(const Ray& ray, double farthest_coordinate) {
-  const dvec3& o = ray.origin;
-  if (std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)}) <= farthest_coordinate) return o;
-  const double advance = -glm::dot(o, ray.direction) - std::numbers::sqrt3 * farthest_coordinate;
-  return advance > 0.0 ? ray.at(advance) : o;
+/// Where Embree's ray begins if that is far off. One that starts on an endless plane, beyond the
+/// bounded shapes, begins where it comes near them: they lie in a ball of radius sqrt(3) R about
+/// the origin, and the place where the ray enters it has coordinates below sqrt(6) R < 2.5 R.
+/// Planes are met from anywhere.
+dvec3 moved_near(const Ray& ray, double farthest_coordinate) {
+  const double advance =
+      -glm::dot(ray.origin, ray.direction) - std::numbers::sqrt3 * farthest_coordinate;
+  return advance > 0.0 ? ray.at(advance) : ray.origin;
 }
 
-template <class Embree>
-void set_ray(Embree& out, unsigned i, const Ray& ray, double farthest_coordinate, float tfar) {
-  const auto at = [i](auto& field) -> auto& {
-    if constexpr (std::is_array_v<std::remove_reference_t<decltype(field)>>)
-      return field[i];
-    else
-      return field;
+dvec3 near_origin(const Ray& ray, double farthest_coordinate) {
+  const dvec3& o = ray.origin;
+  const double farthest = std::max(std::max(std::abs(o.x), std::abs(o.y)), std::abs(o.z));
+  return farthest <= farthest_coordinate ? o : moved_near(ray, farthest_coordinate);
+}
+
+/// A ray for Embree, written as it reads it: by four floats. Single stores would have to reach the
+/// cache before they could be read together.
+RTCRay embree_ray(const Ray& ray, double farthest_coordinate, float tfar) {
+  using Floats = float __attribute__((vector_size(16)));
+  struct Layout {
+    Floats origin, direction; // and tnear, time
+    float tfar;
+    std::uint32_t mask, id, flags;
   };
+  const dvec3 o = near_origin(ray, farthest_coordinate);
+  const dvec3& d = ray.direction;
+  return std::bit_cast<RTCRay>(Layout{__builtin_convertvector((Wide{o.x, o.y, o.z, 0.0}), Floats),
+                                      __builtin_convertvector((Wide{d.x, d.y, d.z, 0.0}), Floats),
+                                      tfar, ~0u, 0, 0});
+}
+
+template <class Packet>
+void set_ray(Packet& out, unsigned i, const Ray& ray, double farthest_coordinate, float tfar) {
   const dvec3 origin = near_origin(ray, farthest_coordinate);
-  at(out.org_x) = static_cast<float>(origin.x);
-  at(out.org_y) = static_cast<float>(origin.y);
-  at(out.org_z) = static_cast<float>(origin.z);
-  at(out.dir_x) = static_cast<float>(ray.direction.x);
-  at(out.dir_y) = static_cast<float>(ray.direction.y);
-  at(out.dir_z) = static_cast<float>(ray.direction.z);
-  at(out.tnear) = 0.0f;
-  at(out.tfar) = tfar;
-  at(out.time) = 0.0f;
-  at(out.mask) = ~0u;
-  at(out.id) = i;
-  at(out.flags) = 0;
+  out.org_x[i] = static_cast<float>(origin.x);
+  out.org_y[i] = static_cast<float>(origin.y);
+  out.org_z[i] = static_cast<float>(origin.z);
+  out.dir_x[i] = static_cast<float>(ray.direction.x);
+  out.dir_y[i] = static_cast<float>(ray.direction.y);
+  out.dir_z[i] = static_cast<float>(ray.direction.z);
+  out.tnear[i] = 0.0f;
+  out.tfar[i] = tfar;
+  out.time[i] = 0.0f;
+  out.mask[i] = ~0u;
+  out.id[i] = i;
+  out.flags[i] = 0;
 }
 
 constexpr std::size_t kWidest = 16;
@@ -71,7 +88,7 @@ void trace_packet(RTCScene scene, Query& query, std::size_t count) {
 
 void trace_single(RTCScene scene, Query& query) {
   RTCRayHit ray;
-  set_ray(ray.ray, 0, query.states[0].ray, query.farthest_coordinate, rounded_up(query.distance));
+  ray.ray = embree_ray(query.states[0].ray, query.farthest_coordinate, rounded_up(query.distance));
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   embree::intersect(scene, query.context, ray);
@@ -219,8 +236,7 @@ bool World::occluded(const RayState& state, double distance) const {
   // Outside all glass the first glass on the way shows for certain. Inside, boundaries between
   // equal media may come first.
   query.glass_may_hide = medium_of(state.nesting).valid();
-  RTCRay ray;
-  set_ray(ray, 0, state.ray, query.farthest_coordinate, rounded_up(distance));
+  RTCRay ray = embree_ray(state.ray, query.farthest_coordinate, rounded_up(distance));
   embree::occluded(impl_->scene.get(), query.context, ray);
   if (ray.tfar < 0.0f) return true;
   if (!query.met_glass) return false;
@@ -257,8 +273,7 @@ std::size_t World::replay_occluded(std::span<const RayState> states,
   std::size_t met = 0;
   for (std::size_t i = 0; i < states.size(); ++i) {
     Query query = impl_->query_for(&states[i], nullptr, distances[i]);
-    RTCRay ray;
-    set_ray(ray, 0, states[i].ray, query.farthest_coordinate, rounded_up(distances[i]));
+    RTCRay ray = embree_ray(states[i].ray, query.farthest_coordinate, rounded_up(distances[i]));
     embree::occluded(impl_->scene.get(), query.context, ray);
     met += ray.tfar < 0.0f ? 1 : 0;
   }
