@@ -21,12 +21,11 @@ using Coincident = FixedVector<Candidate, 8>;
 class NearestCandidates {
 public:
   /// Keeps the candidate if it can belong to the nearest boundary. True when it was kept.
-  bool offer(const Candidate& candidate) {
-    const ShapeCrossing& crossing = candidate.crossing;
+  bool offer(ShapeId shape, const ShapeCrossing& crossing) {
     if (crossing.t - crossing.t_error > reach_) return false;
     reach_ = std::min(reach_, crossing.t + crossing.t_error);
-    if (!kept_.empty()) return offer_beside_others(candidate);
-    kept_.push_back(candidate);
+    if (!kept_.empty()) return offer_beside_others({shape, crossing});
+    kept_.push_back({shape, crossing});
     return true;
   }
   [[nodiscard]] bool empty() const { return kept_.empty(); }

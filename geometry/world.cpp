@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <numbers>
 #include <stdexcept>
 
@@ -37,18 +38,21 @@ dvec3 near_origin(const Ray& ray, double farthest_coordinate) {
 
 /// A ray for Embree, written as it reads it: by four floats. Single stores would have to reach the
 /// cache before they could be read together.
-RTCRay embree_ray(const Ray& ray, double farthest_coordinate, float tfar) {
+void set_ray(RTCRay& out, const Ray& ray, double farthest_coordinate, float tfar) {
   using Floats = float __attribute__((vector_size(16)));
-  struct Layout {
-    Floats origin, direction; // and tnear, time
-    float tfar;
-    std::uint32_t mask, id, flags;
+  struct Vectors {
+    Floats origin_tnear, direction_time;
   };
   const dvec3 o = near_origin(ray, farthest_coordinate);
   const dvec3& d = ray.direction;
-  return std::bit_cast<RTCRay>(Layout{__builtin_convertvector((Wide{o.x, o.y, o.z, 0.0}), Floats),
-                                      __builtin_convertvector((Wide{d.x, d.y, d.z, 0.0}), Floats),
-                                      tfar, ~0u, 0, 0});
+  const Vectors vectors{__builtin_convertvector((Wide{o.x, o.y, o.z, 0.0}), Floats),
+                        __builtin_convertvector((Wide{d.x, d.y, d.z, 0.0}), Floats)};
+  static_assert(offsetof(RTCRay, tfar) == sizeof vectors);
+  std::memcpy(&out, &vectors, sizeof vectors);
+  out.tfar = tfar;
+  out.mask = ~0u;
+  out.id = 0;
+  out.flags = 0;
 }
 
 template <class Packet>
@@ -88,7 +92,7 @@ void trace_packet(RTCScene scene, Query& query, std::size_t count) {
 
 void trace_single(RTCScene scene, Query& query) {
   RTCRayHit ray;
-  ray.ray = embree_ray(query.states[0].ray, query.farthest_coordinate, rounded_up(query.distance));
+  set_ray(ray.ray, query.states[0].ray, query.farthest_coordinate, rounded_up(query.distance));
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   embree::intersect(scene, query.context, ray);
@@ -236,7 +240,8 @@ bool World::occluded(const RayState& state, double distance) const {
   // Outside all glass the first glass on the way shows for certain. Inside, boundaries between
   // equal media may come first.
   query.glass_may_hide = medium_of(state.nesting).valid();
-  RTCRay ray = embree_ray(state.ray, query.farthest_coordinate, rounded_up(distance));
+  RTCRay ray;
+  set_ray(ray, state.ray, query.farthest_coordinate, rounded_up(distance));
   embree::occluded(impl_->scene.get(), query.context, ray);
   if (ray.tfar < 0.0f) return true;
   if (!query.met_glass) return false;
@@ -273,7 +278,8 @@ std::size_t World::replay_occluded(std::span<const RayState> states,
   std::size_t met = 0;
   for (std::size_t i = 0; i < states.size(); ++i) {
     Query query = impl_->query_for(&states[i], nullptr, distances[i]);
-    RTCRay ray = embree_ray(states[i].ray, query.farthest_coordinate, rounded_up(distances[i]));
+    RTCRay ray;
+    set_ray(ray, states[i].ray, query.farthest_coordinate, rounded_up(distances[i]));
     embree::occluded(impl_->scene.get(), query.context, ray);
     met += ray.tfar < 0.0f ? 1 : 0;
   }

@@ -27,27 +27,43 @@ LocalRay ray_for(const Primitive& primitive, const Ray& ray) {
     return primitive.frame.see(ray).with_errors();
 }
 
-/// What a ray meets next of a shape; nothing that lies at `farthest` or beyond.
+/// What a ray knows of a shape. True when a contact says that it crosses the surface at once, then
+/// written to `at_once`.
 template <class S>
-std::optional<ShapeCrossing> crossing(const Primitive& primitive, const RayState& state,
-                                      double farthest) {
-  const S& shape = *std::get_if<S>(&primitive.placed->shape);
+bool crosses_contact(const Primitive& primitive, const RayState& state, ShapeState& known,
+                     ShapeCrossing& at_once) {
   const ShapeId id = primitive.id;
-  ShapeState known;
-  known.inside = std::find(state.nesting.begin(), state.nesting.end(), id) != state.nesting.end();
+  if constexpr (!FlatShape<S>)
+    known.inside = std::find(state.nesting.begin(), state.nesting.end(), id) != state.nesting.end();
   for (const SurfaceContact& contact : state.contacts) {
     if (contact.shape != id) continue;
     const bool outside = contact.side == Side::outside;
     const bool first = &contact == state.contacts.begin();
-    if (!first && contradicts(shape, ray_for<S>(primitive, state.ray), contact))
-      return ShapeCrossing{0.0, 0.0, contact.face, outside};
+    if (!first && contradicts(*std::get_if<S>(&primitive.placed->shape),
+                              ray_for<S>(primitive, state.ray), contact)) {
+      at_once = {0.0, 0.0, contact.face, outside};
+      return true;
+    }
     known = {!outside, true, contact.face};
     break;
   }
-  if constexpr (FlatShape<S> || PlaneFaced<S> || std::is_same_v<S, Sphere>)
-    return next_crossing(shape, primitive.frame.see(state.ray), known, farthest);
-  else
-    return next_crossing(shape, ray_for<S>(primitive, state.ray), known);
+  return false;
+}
+
+/// What a ray meets next of a shape; it need not be found at `farthest` or beyond.
+template <class S>
+bool find_crossing(const Primitive& primitive, const RayState& state, double farthest,
+                   ShapeCrossing& found) {
+  ShapeState known;
+  if (crosses_contact<S>(primitive, state, known, found)) return true;
+  const S& shape = *std::get_if<S>(&primitive.placed->shape);
+  if constexpr (FlatShape<S> || PlaneFaced<S> || std::is_same_v<S, Sphere>) {
+    return find_next(shape, primitive.frame.see(state.ray), known, farthest, found);
+  } else {
+    const auto next = next_crossing(shape, ray_for<S>(primitive, state.ray), known);
+    if (next) found = *next;
+    return next.has_value();
+  }
 }
 
 bool surely_nearer(const ShapeCrossing& crossing, double distance) {
@@ -63,9 +79,10 @@ void intersect_callback(const RTCIntersectFunctionNArguments* args) noexcept {
   for (unsigned i = 0; i < args->N; ++i) {
     if (args->valid[i] != -1) continue;
     const unsigned ray = RTCRayN_id(rays, args->N, i);
-    const auto found = crossing<S>(primitive, query.states[ray], query.distance);
-    if (!found || !surely_nearer(*found, query.distance)) continue;
-    if (!query.found[ray].offer({primitive.id, *found})) continue;
+    ShapeCrossing found;
+    if (!find_crossing<S>(primitive, query.states[ray], query.distance, found)) continue;
+    if (!surely_nearer(found, query.distance)) continue;
+    if (!query.found[ray].offer(primitive.id, found)) continue;
     float& tfar = RTCRayN_tfar(rays, args->N, i);
     tfar = std::min(tfar, rounded_up(query.found[ray].reach()));
   }
@@ -78,9 +95,10 @@ void occluded_callback(const RTCOccludedFunctionNArguments* args) noexcept {
   const Primitive& primitive = group.primitives[args->primID];
   for (unsigned i = 0; i < args->N; ++i) {
     if (args->valid[i] != -1) continue;
-    const auto found =
-        crossing<S>(primitive, query.states[RTCRayN_id(args->ray, args->N, i)], query.distance);
-    if (!found || !surely_nearer(*found, query.distance)) continue;
+    const RayState& state = query.states[RTCRayN_id(args->ray, args->N, i)];
+    ShapeCrossing found;
+    if (!find_crossing<S>(primitive, state, query.distance, found)) continue;
+    if (!surely_nearer(found, query.distance)) continue;
     if (query.glass_may_hide && primitive.glass)
       query.met_glass = true;
     else

@@ -47,10 +47,10 @@ struct Query {
 /// A float not less than `value`.
 [[nodiscard]] inline float rounded_up(double value) {
   const float near = static_cast<float>(value);
+  if (near == std::numeric_limits<float>::infinity()) return near;
   // The next float of a positive one has the next bits; nextafter is a call.
-  return near > 0.0f && near < std::numeric_limits<float>::max()
-             ? std::bit_cast<float>(std::bit_cast<std::uint32_t>(near) + 1)
-             : std::nextafter(near, std::numeric_limits<float>::infinity());
+  return near > 0.0f ? std::bit_cast<float>(std::bit_cast<std::uint32_t>(near) + 1)
+                     : std::nextafter(near, std::numeric_limits<float>::infinity());
 }
 
 /// Makes a geometry of every group that has shapes and attaches it. The groups must stay where

@@ -33,7 +33,7 @@ Boundary resolved(const std::vector<PlacedShape>& shapes, const RayState& state,
                   std::initializer_list<Candidate> candidates) {
   NearestCandidates nearest;
   for (const Candidate& c : candidates)
-    nearest.offer(c);
+    nearest.offer(c.shape, c.crossing);
   Boundary boundary;
   boundary.visible = resolve(ShapeTable(shapes), state, nearest.boundary(), boundary.hit);
   return boundary;
@@ -51,7 +51,7 @@ TEST_CASE("candidates: what rounding cannot tell apart is one boundary, in any o
       std::swap(all[i - 1], all[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
     NearestCandidates nearest;
     for (const Candidate& c : all)
-      nearest.offer(c);
+      nearest.offer(c.shape, c.crossing);
     const auto boundary = nearest.boundary();
     REQUIRE(boundary.size() == 3);
     REQUIRE(boundary[0].shape.value == 2);
@@ -72,7 +72,7 @@ TEST_CASE("candidates: many offers, far ones first, lose none that belong") {
       std::swap(all[i - 1], all[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
     NearestCandidates nearest;
     for (const Candidate& c : all)
-      nearest.offer(c);
+      nearest.offer(c.shape, c.crossing);
     REQUIRE(nearest.boundary().size() == 3);
   }
 }
