@@ -63,7 +63,11 @@ std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& 
 
 std::optional<ShapeCrossing> next_crossing(const Mesh& mesh, const LocalRay& ray,
                                            const ShapeState& state) {
-  const MeshCrossings found = first_crossings(mesh, ray, state.touching ? state.face.face : -1);
+  const MeshSearch search = !mesh.is_closed() ? MeshSearch::either
+                            : state.inside    ? MeshSearch::exit
+                                              : MeshSearch::enter;
+  const MeshCrossings found =
+      first_crossings(mesh, ray, state.touching ? state.face.face : -1, search);
   const Root& enter = found.enter;
   const Root& exit = found.exit;
   if (!mesh.is_closed()) {
