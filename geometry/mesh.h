@@ -61,9 +61,9 @@ enum class MeshSearch : std::uint8_t { enter, exit, either };
 
 /// The first crossing of the kind that does not lie behind the origin by more than rounding; with
 /// `exit`, also the first entry before it. Triangle `touched` is not asked. Of lines close to an
-/// edge, exactly one of its triangles is met. A crossing beyond `farthest` may be left out.
+/// edge, exactly one of its triangles is met.
 [[nodiscard]] MeshCrossings first_crossings(const Mesh& mesh, const LocalRay& ray, int touched,
-                                            MeshSearch search, double farthest = kInfinity);
+                                            MeshSearch search);
 
 [[nodiscard]] dvec3 outward_normal(const Mesh& mesh, const dvec3& point, int face);
 [[nodiscard]] dvec3 snapped(const Mesh& mesh, const dvec3& point, int face);

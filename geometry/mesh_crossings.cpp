@@ -12,6 +12,12 @@ namespace {
 
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
+/// A float not less than `value`.
+float rounded_up(double value) {
+  const auto nearest = static_cast<float>(value);
+  return nearest + std::abs(nearest) * 0x1p-23f;
+}
+
 /// A ray against eight boxes at once, in single precision. No box is missed whose content the
 /// double ray may meet at t >= 0:
 /// - The ray begins where it comes near the hierarchy (`advance`), at o from the centre, and has
@@ -42,8 +48,7 @@ public:
       const bool forwards = ray.direction[i] >= 0.0;
       const double d = std::max(std::abs(ray.direction[i]), moved / way);
       per_axis_[a] = static_cast<float>(1.0 / (forwards ? d : -d));
-      const float low = std::nextafter(static_cast<float>(o[i] - margin), -kFloatInfinity);
-      const float high = std::nextafter(static_cast<float>(o[i] + margin), kFloatInfinity);
+      const float low = -rounded_up(margin - o[i]), high = rounded_up(o[i] + margin);
       enter_from_[a] = forwards ? high : low;
       leave_from_[a] = forwards ? low : high;
       forwards_[a] = forwards;
@@ -71,7 +76,7 @@ public:
 
   /// A distance that no box which holds a crossing at `t` is entered beyond.
   [[nodiscard]] float entered_before(double t) const {
-    return std::nextafter(static_cast<float>(t - advance_), kFloatInfinity) * (1.0f + 0x1p-20f);
+    return rounded_up(t - advance_) * (1.0f + 0x1p-20f);
   }
 
 private:
@@ -177,9 +182,8 @@ bool before(const Root& a, const Root& b) {
 /// One search through the hierarchy for the crossings of one ray.
 class Search {
 public:
-  Search(const Mesh& mesh, const LocalRay& ray, int touched, MeshSearch search, double farthest)
-      : mesh_(mesh), ray_(ray), touched_(touched), search_(search), farthest_(farthest),
-        boxes_(mesh, ray), line_(ray), reach_(boxes_.entered_before(farthest)) {}
+  Search(const Mesh& mesh, const LocalRay& ray, int touched, MeshSearch search)
+      : mesh_(mesh), ray_(ray), touched_(touched), search_(search), boxes_(mesh, ray), line_(ray) {}
 
   MeshCrossings run() {
     struct Waiting {
@@ -235,27 +239,26 @@ private:
 
   /// What lies beyond makes no difference any more.
   [[nodiscard]] double last() const {
-    if (search_ == MeshSearch::enter) return std::min(farthest_, found_.enter.t);
-    if (search_ == MeshSearch::exit) return std::min(farthest_, found_.exit.t);
-    return std::min({farthest_, found_.enter.t, found_.exit.t});
+    if (search_ == MeshSearch::enter) return found_.enter.t;
+    if (search_ == MeshSearch::exit) return found_.exit.t;
+    return std::min(found_.enter.t, found_.exit.t);
   }
 
   const Mesh& mesh_;
   const LocalRay& ray_;
   int touched_;
   MeshSearch search_;
-  double farthest_;
   BoxRay boxes_;
   ShearedLine line_;
-  float reach_;
+  float reach_ = kFloatInfinity;
   MeshCrossings found_;
 };
 
 } // namespace
 
-MeshCrossings first_crossings(const Mesh& mesh, const LocalRay& ray, int touched, MeshSearch search,
-                              double farthest) {
-  return Search(mesh, ray, touched, search, farthest).run();
+MeshCrossings first_crossings(const Mesh& mesh, const LocalRay& ray, int touched,
+                              MeshSearch search) {
+  return Search(mesh, ray, touched, search).run();
 }
 
 } // namespace abbe
