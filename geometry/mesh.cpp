@@ -114,10 +114,13 @@ double squared_distance(const Bounds& box, const dvec3& point) {
   return squared(glm::max(glm::max(box.lower - point, point - box.upper), dvec3(0.0)));
 }
 
-/// Searches the hierarchy for the triangle nearest to a point.
+/// Searches the hierarchy for the triangle nearest to a point, of those that face a direction.
 class NearestFace {
 public:
-  NearestFace(const Mesh& mesh, const dvec3& point) : mesh_(mesh), point_(point) { visit(0); }
+  NearestFace(const Mesh& mesh, const dvec3& point, const dvec3& direction)
+      : mesh_(mesh), point_(point), direction_(direction) {
+    visit(0);
+  }
   [[nodiscard]] int face() const { return face_; }
 
 private:
@@ -137,14 +140,14 @@ private:
     for (int i = leaf.first; i < leaf.first + leaf.count; ++i) {
       const auto [a, b, c] = mesh_.corners(i);
       const double distance = squared_distance(a - point_, b - point_, c - point_);
-      if (distance >= smallest_) continue;
+      if (distance >= smallest_ || glm::dot(glm::cross(b - a, c - a), direction_) <= 0.0) continue;
       smallest_ = distance;
       face_ = i;
     }
   }
 
   const Mesh& mesh_;
-  dvec3 point_;
+  dvec3 point_, direction_;
   double smallest_ = kInfinity;
   int face_ = 0;
 };
@@ -239,8 +242,8 @@ dvec3 snapped(const Mesh& mesh, const dvec3& point, int face) {
   return point - glm::dot(n, point - mesh.corner(face, 0)) * n;
 }
 
-int nearest_face(const Mesh& mesh, const dvec3& point) {
-  return NearestFace(mesh, point).face();
+int nearest_face(const Mesh& mesh, const LocalRay& ray, bool entering) {
+  return NearestFace(mesh, ray.origin, entering ? -ray.direction : ray.direction).face();
 }
 
 double signed_distance(const Mesh& mesh, const dvec3& point) {
@@ -259,7 +262,7 @@ double signed_distance(const Mesh& mesh, const dvec3& point) {
 }
 
 Bounds bounds(const Mesh& mesh, const Transform& to_world) {
-  return placed_bounds(mesh, to_world, mesh.hierarchy().nodes[0], 1);
+  return placed_bounds(mesh, to_world, mesh.hierarchy().nodes[0], 2);
 }
 
 } // namespace abbe

@@ -54,20 +54,26 @@ private:
 struct MeshCrossings {
   Root enter{kInfinity, 0.0, {}};
   Root exit{kInfinity, 0.0, {}};
+  int exits_less_entries = 0; ///< of `sum`
 };
 
-/// What is asked of a mesh: its first crossing of this kind.
-enum class MeshSearch : std::uint8_t { enter, exit, either };
+/// What is asked of a mesh.
+enum class MeshSearch : std::uint8_t {
+  enter,  ///< the first entry; and the first exit, if one surely lies ahead and not beyond
+  exit,   ///< the first exit; and the first entry, likewise
+  either, ///< the first of all
+  sum     ///< how many exits surely lie ahead, less the entries: 1 inside a closed mesh, 0 outside
+};
 
-/// The first crossing of the kind that does not lie behind the origin by more than rounding; with
-/// `exit`, also the first entry before it. Triangle `touched` is not asked. Of lines close to an
-/// edge, exactly one of its triangles is met.
+/// Crossings that do not lie behind the origin by more than rounding. Triangle `touched` is not
+/// asked. Of lines close to an edge, exactly one of its triangles is met.
 [[nodiscard]] MeshCrossings first_crossings(const Mesh& mesh, const LocalRay& ray, int touched,
                                             MeshSearch search);
 
 [[nodiscard]] dvec3 outward_normal(const Mesh& mesh, const dvec3& point, int face);
 [[nodiscard]] dvec3 snapped(const Mesh& mesh, const dvec3& point, int face);
-[[nodiscard]] int nearest_face(const Mesh& mesh, const dvec3& point);
+/// The nearest triangle through which a ray from the point can leave, or with `entering` get in.
+[[nodiscard]] int nearest_face(const Mesh& mesh, const LocalRay& ray, bool entering);
 /// Negative inside a closed mesh, else positive; only the sign has a meaning. Asks each triangle
 /// where the point is not outside all boxes.
 [[nodiscard]] double signed_distance(const Mesh& mesh, const dvec3& point);

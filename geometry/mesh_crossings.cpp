@@ -218,18 +218,23 @@ public:
 private:
   void ask(const MeshLeaf& leaf) {
     const Lanes lanes = line_.crossed(mesh_, leaf);
-    unsigned wanted = lanes.crossed;
-    if (search_ == MeshSearch::enter) wanted &= ~lanes.outwards;
-    for (; wanted != 0; wanted &= wanted - 1) {
-      const int lane = std::countr_zero(wanted);
+    for (unsigned left = lanes.crossed; left != 0; left &= left - 1) {
+      const int lane = std::countr_zero(left);
       const int face = leaf.first + lane;
+      const bool outwards = (lanes.outwards >> lane & 1u) != 0;
       const double t = lanes.t[static_cast<std::size_t>(lane)];
-      Root& first = lanes.outwards >> lane & 1u ? found_.exit : found_.enter;
+      Root& first = outwards ? found_.exit : found_.enter;
       if (face == touched_ || t > first.t) continue;
       const double cosine = std::abs(glm::dot(outward_normal(mesh_, {}, face), ray_.direction));
       if (cosine == 0.0) continue;
       Root root{t, plane_root_error(ray_, cosine, t, mesh_.size()), {0, face}};
-      if (root.t < -root.t_error) continue;
+      const bool ahead = root.t > root.t_error;
+      if (search_ == MeshSearch::sum) {
+        found_.exits_less_entries += !ahead ? 0 : outwards ? 1 : -1;
+        continue;
+      }
+      const bool beside = search_ == (outwards ? MeshSearch::enter : MeshSearch::exit);
+      if (beside ? !ahead : root.t < -root.t_error) continue;
       root.t = std::max(0.0, root.t);
       if (!before(root, first)) continue;
       first = root;
@@ -239,9 +244,11 @@ private:
 
   /// What lies beyond makes no difference any more.
   [[nodiscard]] double last() const {
-    if (search_ == MeshSearch::enter) return found_.enter.t;
-    if (search_ == MeshSearch::exit) return found_.exit.t;
-    return std::min(found_.enter.t, found_.exit.t);
+    const Root& enter = found_.enter;
+    const Root& exit = found_.exit;
+    if (search_ == MeshSearch::enter) return enter.t + 2.0 * enter.t_error;
+    if (search_ == MeshSearch::exit) return exit.t + 2.0 * exit.t_error;
+    return std::min(enter.t, exit.t);
   }
 
   const Mesh& mesh_;
