@@ -122,7 +122,7 @@ TEST_CASE("a mesh that is used again makes the bytes of a copy of its file") {
         "imageSize 32 32 samples 4 eye 1 -3 6 fieldOfView 40 light D65 3 4 5 1\n"
         "glass SF11 mesh a.obj push translate 0.5 1 -1 rotate 30 1 0 0 scale "
         "1 -2 1 mesh " +
-        second + " pop defaultMaterials push translate 0 0 -3 scale 4 4 1 square";
+        second + " pop defaultMaterials push translate 0 0 -3 scale 4 4 1 square pop";
     return read_scene_text(text, folder.path / "s.sdl", [](const std::string&) {});
   };
   const Scene shared = scene("a.obj"), apart = scene("b.obj");
