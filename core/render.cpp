@@ -1,10 +1,7 @@
 #include "core/render.h"
 
-#include "core/camera.h"
-#include "core/integrators/path.h"
-#include "core/integrators/whitted.h"
 #include "core/lights/lamps.h"
-#include "core/sampler.h"
+#include "core/tile_renderer.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
@@ -15,10 +12,8 @@
 #include <immintrin.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <chrono>
-#include <memory>
 #include <mutex>
 
 namespace abbe {
@@ -26,7 +21,6 @@ namespace {
 
 /// Samples of a pixel are rendered in passes, so that a stopped picture is noisy but whole.
 constexpr int kSamplesPerPass = 16;
-constexpr std::size_t kPacketWidth = 16;
 
 /// Denormal numbers are flushed to zero: they are slow and far below any picture's precision.
 class DenormalsOff {
@@ -38,85 +32,6 @@ public:
 
 private:
   unsigned saved_;
-};
-
-std::unique_ptr<CameraIntegrator> make_integrator(const Scene& scene, const Plan& plan,
-                                                  const World& world, const Lamps& lamps,
-                                                  double pixel_angle) {
-  if (plan.settings.integrator == Integrator::path)
-    return std::make_unique<Path>(plan, world, lamps, pixel_angle);
-  return std::make_unique<Whitted>(scene, plan, world, pixel_angle);
-}
-
-/// Which samples of each pixel are to be rendered: [first, last).
-struct SampleRange {
-  int first, last;
-};
-
-/// Renders tiles on one thread.
-class TileRenderer {
-public:
-  TileRenderer(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
-               const CameraRays& camera, const Nesting& camera_nesting, Film& film)
-      : plan_(plan), world_(world), camera_(camera), camera_nesting_(camera_nesting), film_(film),
-        integrator_(make_integrator(scene, plan, world, lamps, camera.pixel_angle())), sums_(plan) {
-  }
-
-  RayCounts render(const Tile& tile, SampleRange samples, RayRecord* record) {
-    RayCounts counts;
-    counts.record = record;
-    const PixelWindow& w = tile.window;
-    for (int y = w.y0; y < w.y1; ++y)
-      for (int x = w.x0; x < w.x1; ++x)
-        for (int s = samples.first; s < samples.last; ++s) {
-          batch_.push_back(
-              {x, y, Sampler(x, y, static_cast<std::uint32_t>(s), plan_.settings.seed)});
-          if (batch_.size() == kPacketWidth) finish_batch(tile.empty, counts);
-        }
-    finish_batch(tile.empty, counts);
-    return counts;
-  }
-
-private:
-  struct CameraSample {
-    int x, y;
-    Sampler sampler;
-  };
-
-  void finish_batch(bool empty, RayCounts& counts) {
-    const std::size_t count = batch_.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const CameraSample& sample = batch_[i];
-      const dvec2 offset =
-          filter_offset(plan_.settings.filter, sample.sampler.pair(kPixelPosition));
-      states_[i].ray = camera_.ray(dvec2(sample.x + 0.5, sample.y + 0.5) + offset);
-      states_[i].nesting = camera_nesting_;
-      hits_[i].reset();
-    }
-    if (!empty) {
-      world_.closest(std::span(states_).first(count), std::span(hits_).first(count),
-                     plan_.settings.tracing);
-      counts.add(RayKind::camera, std::span(states_).first(count));
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      sums_.clear();
-      integrator_->trace(states_[i], hits_[i], batch_[i].sampler, sums_, counts);
-      film_.add(batch_[i].x, batch_[i].y, sums_.color(), hits_[i].has_value(),
-                film_.bands() > 0 ? sums_.radiance() : std::span<const float>());
-    }
-    batch_.clear();
-  }
-
-  const Plan& plan_;
-  const World& world_;
-  const CameraRays& camera_;
-  const Nesting& camera_nesting_;
-  Film& film_;
-  std::unique_ptr<CameraIntegrator> integrator_;
-  RadianceSums sums_;
-  std::vector<CameraSample> batch_;
-  std::array<RayState, kPacketWidth> states_;
-  std::array<std::optional<Hit>, kPacketWidth> hits_;
 };
 
 /// Counts finished tiles and tells about them at most ten times a second.
