@@ -1,6 +1,8 @@
 #include "core/render.h"
 
 #include "core/lights/lamps.h"
+#include "core/noise.h"
+#include "core/progress_meter.h"
 #include "core/tile_renderer.h"
 
 #include <tbb/blocked_range.h>
@@ -12,9 +14,10 @@
 #include <immintrin.h>
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
-#include <chrono>
-#include <mutex>
+#include <cmath>
+#include <vector>
 
 namespace abbe {
 namespace {
@@ -34,35 +37,36 @@ private:
   unsigned saved_;
 };
 
-/// Counts finished tiles and tells about them at most ten times a second.
-class ProgressMeter {
-public:
-  ProgressMeter(const ProgressCallback& callback, std::size_t steps)
-      : callback_(callback), steps_(steps) {}
+/// Where the pass that begins after `done` samples ends. Time that is running out must leave a
+/// whole picture, so the first passes are then short.
+int end_of_pass(int done, const RenderSettings& settings) {
+  const bool hurry = settings.seconds > 0.0 && done < kSamplesPerPass;
+  const int pass = hurry ? std::max(done, 1) : kSamplesPerPass;
+  return std::min(done + pass, settings.samples_per_pixel);
+}
 
-  void step(const RayCounts& rays) {
-    const std::lock_guard lock(mutex_);
-    ++done_;
-    rays_ += rays;
-    const double now = seconds();
-    if (!callback_ || (now - told_ < 0.1 && done_ < steps_)) return;
-    told_ = now;
-    callback_({static_cast<double>(done_) / static_cast<double>(steps_), now, rays_});
-  }
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-  [[nodiscard]] const RayCounts& rays() const { return rays_; }
-  [[nodiscard]] bool complete() const { return done_ == steps_; }
+/// True for 16, 32, 64 ... and halfway between, the numbers of samples at which tiles may be done.
+/// Asked more often, more tiles would end by luck; docs/decisions/noise.md has figures.
+bool may_end(int samples) {
+  const auto n = static_cast<unsigned>(samples);
+  return n >= kSamplesPerPass &&
+         (std::has_single_bit(n) || (n % 3 == 0 && std::has_single_bit(n / 3)));
+}
 
-private:
-  const ProgressCallback& callback_;
-  std::size_t steps_, done_ = 0;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  double told_ = 0.0;
-  RayCounts rays_;
-  std::mutex mutex_;
+/// A tile that is not done yet.
+struct OpenTile {
+  const Tile* tile;
+  int expected; ///< how many samples a pixel it may need
+  bool done = false;
 };
+
+/// How many samples a tile may need, by the error it has after n of them: errors fall like
+/// 1/sqrt(n).
+int expected_samples(double error, int n, const RenderSettings& settings) {
+  const double expected = n * std::pow(error / settings.noise, 2);
+  const double most = settings.samples_per_pixel;
+  return static_cast<int>(std::min(std::max(expected, n + 1.0), most));
+}
 
 } // namespace
 
@@ -70,36 +74,68 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
                  const ProgressCallback& progress, const std::atomic<bool>& stop,
                  RayRecord* record) {
   const RenderSettings& settings = plan.settings;
-  Rendering result{
-      Film(plan.window, plan.quantum, keep_bands ? plan.grid.count() : 0), {}, 0, true};
+  const int most = settings.samples_per_pixel;
+  Rendering result{Film(plan.window, plan.quantum, keep_bands ? plan.grid.count() : 0,
+                        settings.keep_errors || settings.adaptive())};
   const CameraRays camera(scene.camera, settings.width, settings.height);
   const Lamps lamps(scene, plan);
   const Nesting camera_nesting = world.nesting_at(scene.camera.eye);
-  const int passes = (settings.samples_per_pixel + kSamplesPerPass - 1) / kSamplesPerPass;
-  ProgressMeter meter(progress, static_cast<std::size_t>(passes) * plan.tiles.size());
+  ProgressMeter meter(progress, static_cast<double>(plan.window.pixel_count()) * most,
+                      settings.seconds);
   assert(!record || settings.threads == 1);
   const int threads = settings.threads > 0 ? settings.threads : tbb::info::default_concurrency();
   const tbb::global_control workers(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
 
-  for (int pass = 0; pass < passes && !stop; ++pass) {
-    const SampleRange samples{pass * kSamplesPerPass,
-                              std::min((pass + 1) * kSamplesPerPass, settings.samples_per_pixel)};
+  std::vector<OpenTile> open;
+  for (const Tile& tile : plan.tiles)
+    open.push_back({&tile, most});
+  const auto ends = [&](int done) {
+    return stop || (settings.seconds > 0.0 && done > 0 && meter.seconds() >= settings.seconds);
+  };
+  // Renders one pass of a tile and decides by its pixels alone whether it is done: the same bytes
+  // on any number of threads.
+  const auto advance = [&](OpenTile& tile, SampleRange samples, TileRenderer& renderer) {
+    const PixelWindow& window = tile.tile->window;
+    const auto pixels = static_cast<double>(window.pixel_count());
+    const RayCounts rays = renderer.render(*tile.tile, samples, record);
+    const int expected = tile.expected;
+    tile.expected = std::max(expected, samples.last);
+    if (settings.noise > 0.0 && (may_end(samples.last) || samples.last == most)) {
+      const double error = relative_error(result.film, window);
+      tile.done = error <= settings.noise;
+      tile.expected = tile.done ? samples.last : expected_samples(error, samples.last, settings);
+    }
+    meter.step(rays, pixels * (samples.last - samples.first), pixels * (tile.expected - expected));
+  };
+
+  int done = 0;
+  while (done < most && !open.empty()) {
+    const SampleRange samples{done, end_of_pass(done, settings)};
+    std::atomic<std::size_t> rendered = 0;
     arena.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, plan.tiles.size(), 1),
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, open.size(), 1),
                         [&](const tbb::blocked_range<std::size_t>& range) {
                           const DenormalsOff denormals_off;
                           TileRenderer renderer(scene, plan, world, lamps, camera, camera_nesting,
                                                 result.film);
-                          for (std::size_t i = range.begin(); i < range.end() && !stop; ++i)
-                            meter.step(renderer.render(plan.tiles[i], samples, record));
+                          for (std::size_t i = range.begin(); i < range.end() && !ends(done); ++i) {
+                            advance(open[i], samples, renderer);
+                            ++rendered;
+                          }
                         });
     });
+    const bool whole = rendered == open.size();
+    std::erase_if(open, [](const OpenTile& tile) { return tile.done; });
+    if (!whole) break;
+    done = samples.last;
   }
   result.rays = meter.rays();
   result.seconds = meter.seconds();
-  result.complete = meter.complete(); // a stop after the last tile came too late to matter
+  result.open_tiles = settings.noise > 0.0 ? open.size() : 0;
+  // A stop after the last tile came too late to matter.
+  result.complete = done == most || open.empty() || !stop;
   return result;
 }
 
