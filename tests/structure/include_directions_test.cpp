@@ -40,7 +40,7 @@ constexpr Permission kPermissions[] = {
     {"core/", "fmt/"},
     {"core/light_pass.cpp", "tbb/"},
     {"core/render.cpp", "tbb/"},
-    {"core/render.cpp", "immintrin.h"}, // flushes denormal numbers
+    {"core/denormals.h", "immintrin.h"}, // flushes denormal numbers
     {"io/", "io/"},
     {"io/", "core/"},
     {"io/", "geometry/"},
