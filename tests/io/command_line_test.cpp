@@ -167,25 +167,6 @@ TEST_CASE("every setting of the command line replaces the scene's") {
   CHECK(s.tracing == Tracing::single);
 }
 
-TEST_CASE("noise and time say when to stop, and make the number of samples a limit") {
-  const RenderSettings plain = settings({});
-  CHECK(plain.noise == 0.0);
-  CHECK(plain.seconds == 0.0);
-  CHECK_FALSE(plain.adaptive());
-  CHECK_FALSE(plain.keep_errors);
-  const RenderSettings both = settings({"--noise", "0.05", "--time", "2.5", "--spp", "100"});
-  CHECK(both.noise == 0.05);
-  CHECK(both.seconds == 2.5);
-  CHECK(both.samples_per_pixel == 100);
-  CHECK(both.adaptive());
-  CHECK(settings({"--time", "2.5"}).adaptive());
-  CHECK(settings({"--errors"}).keep_errors);
-  RenderSettings scene;
-  scene.noise = 0.1;
-  CHECK(overridden(scene, parse({"render", "a.sdl"}).settings).noise == 0.1);
-  CHECK(overridden(scene, parse({"render", "a.sdl", "--noise", "0"}).settings).noise == 0.0);
-}
-
 TEST_CASE("what the command line does not name stays as the scene has it") {
   RenderSettings scene;
   scene.width = 77;
@@ -344,24 +325,6 @@ TEST_CASE("render writes NAME.exr and NAME.tiff where it runs, and tells what it
   CHECK(contains(r.out, "wrote scene.exr"));
   CHECK(contains(r.error, "100 %")); // in a log, plain lines
   CHECK(r.error.find_first_of("\r\x1b") == std::string::npos);
-}
-
-TEST_CASE("a rendering with a noise target tells how far it went") {
-  const Folder folder;
-  const Outcome r = folder.run("render scene.sdl --noise 0.9 --spp 40 -o a.exr");
-  CHECK(r.exit_code == 0);
-  CHECK(contains(r.out, "1 tile, at most 40 samples a pixel"));
-  CHECK(contains(r.out, "plan: each tile ends at an estimated relative error of 0.9"));
-  CHECK(contains(r.out, "samples a pixel: 16 to 16, mean 16.0; estimated relative error 0."));
-  CHECK_FALSE(contains(r.out, "above the target"));
-  const Outcome unreached = folder.run("render scene.sdl --noise 1e-9 --spp 40 -o a.exr");
-  CHECK(contains(unreached.out, "samples a pixel: 40 to 40, mean 40.0"));
-  CHECK(contains(unreached.out, "; above the target: 1 tile\n"));
-  const Outcome hurried = folder.run("render scene.sdl --time 1e-9 -o a.exr");
-  CHECK(hurried.exit_code == 0);
-  CHECK(contains(hurried.out, "1 to 1, mean 1.0; estimated relative error unknown"));
-  CHECK(contains(hurried.out, "wrote a.exr"));
-  CHECK_FALSE(contains(folder.run("render scene.sdl -o a.exr").out, "samples a pixel:"));
 }
 
 TEST_CASE("two runs give the same bytes in every output, and other threads do too") {
