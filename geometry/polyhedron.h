@@ -85,7 +85,10 @@ private:
 [[nodiscard]] std::optional<Interval> intersect(const ConvexPolyhedron& solid, const LocalRay& ray,
                                                 const FaceContact* contact = nullptr);
 [[nodiscard]] dvec3 outward_normal(const ConvexPolyhedron& solid, const dvec3& point, int face);
-[[nodiscard]] dvec3 snapped(const ConvexPolyhedron& solid, const dvec3& point, int face);
+[[nodiscard]] inline dvec3 snapped(const ConvexPolyhedron& solid, const dvec3& point, int face) {
+  const HalfSpace& h = solid.half_spaces()[static_cast<std::size_t>(face)];
+  return point - (glm::dot(h.normal, point) - h.offset) * h.normal;
+}
 [[nodiscard]] int nearest_face(const ConvexPolyhedron& solid, const dvec3& point);
 [[nodiscard]] double signed_distance(const ConvexPolyhedron& solid, const dvec3& point);
 [[nodiscard]] Bounds bounds(const ConvexPolyhedron& solid, const Transform& to_world);
