@@ -37,10 +37,9 @@ struct Box {};
     return std::nullopt;
   return inside;
 }
-/// The same root with its bound of error.
-[[nodiscard]] Root with_error(const Box&, const RayInFrame auto& ray, const PlaneRoot& root) {
-  const double speed = std::abs(ray.direction[root.face / 2]);
-  return {root.t, plane_root_error(ray, speed, root.t, 1.0), {0, root.face}};
+/// The bound of a root's error.
+[[nodiscard]] double root_error(const Box&, const RayInFrame auto& ray, const PlaneRoot& root) {
+  return plane_root_error(ray, std::abs(ray.direction[root.face / 2]), root.t, 1.0);
 }
 [[nodiscard]] std::optional<Interval> intersect(const Box& box, const LocalRay& ray,
                                                 const FaceContact* contact = nullptr);

@@ -74,13 +74,13 @@ private:
   inside.enter = {0.0, contact->face};
   return inside;
 }
-/// The same root with its bound of error.
-[[nodiscard]] Root with_error(const ConvexPolyhedron& solid, const RayInFrame auto& ray,
-                              const PlaneRoot& root) {
-  if (std::isinf(root.t)) return {root.t, 0.0, {0, root.face}}; // an open end
+/// The bound of a root's error.
+[[nodiscard]] double root_error(const ConvexPolyhedron& solid, const RayInFrame auto& ray,
+                                const PlaneRoot& root) {
+  if (std::isinf(root.t)) return 0.0; // an open end
   const HalfSpace& plane = solid.half_spaces()[static_cast<std::size_t>(root.face)];
   const double speed = std::abs(glm::dot(plane.normal, ray.direction));
-  return {root.t, plane_root_error(ray, speed, root.t, std::abs(plane.offset)), {0, root.face}};
+  return plane_root_error(ray, speed, root.t, std::abs(plane.offset));
 }
 [[nodiscard]] std::optional<Interval> intersect(const ConvexPolyhedron& solid, const LocalRay& ray,
                                                 const FaceContact* contact = nullptr);
