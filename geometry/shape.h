@@ -123,7 +123,8 @@ template <ConvexSolid S>
 
 // The next crossing of one shape, t >= 0. A ray known to be inside always finds a way out: where
 // rounding leaves none, it is at t = 0 through the nearest face. A ray known to be outside only
-// enters. The root of the touched face is never computed.
+// enters; a mesh at t = 0 where its crossings ahead show that rounding has let the ray slip in. The
+// root of the touched face is never computed.
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& ray,
                                                          const ShapeState& state);
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const Mesh& mesh, const LocalRay& ray,
