@@ -22,15 +22,14 @@ MaterialId material_of(const ShapeTable::Row& row, FaceId face) {
 /// Point and outward normal of a crossing, in the world.
 void place(const ShapeTable& shapes, const ShapeTable::Row& row, const dvec3& near_point,
            Hit& hit) {
-  const Transform& to_world = row.placed->to_world;
-  const dvec3 local = to_world.inverse_point(near_point);
+  const dvec3 local = row.from_world.inverse_point(near_point);
   std::visit(
       [&](const auto& shape) {
         const dvec3 on_surface = snapped(shape, local, hit.face);
-        hit.point = to_world.point(on_surface);
+        hit.point = row.to_world.point(on_surface);
         hit.normal = row.first_normal >= 0
                          ? shapes.normal(row, hit.face)
-                         : to_world.normal(outward_normal(shape, on_surface, hit.face));
+                         : row.to_world.normal(outward_normal(shape, on_surface, hit.face));
       },
       row.placed->shape);
 }

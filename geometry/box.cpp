@@ -15,12 +15,6 @@ dvec3 outward_normal(const Box&, const dvec3&, int face) {
   return n;
 }
 
-dvec3 snapped(const Box&, const dvec3& point, int face) {
-  dvec3 p = point;
-  p[face / 2] = face % 2 ? 1.0 : -1.0;
-  return p;
-}
-
 int nearest_face(const Box&, const dvec3& point) {
   int axis = 0;
   for (int i = 1; i < 3; ++i)

@@ -37,15 +37,18 @@ struct Box {};
     return std::nullopt;
   return inside;
 }
-/// The same root with its bound of error.
-[[nodiscard]] Root with_error(const Box&, const RayInFrame auto& ray, const PlaneRoot& root) {
-  const double speed = std::abs(ray.direction[root.face / 2]);
-  return {root.t, plane_root_error(ray, speed, root.t, 1.0), {0, root.face}};
+/// The bound of a root's error.
+[[nodiscard]] double root_error(const Box&, const RayInFrame auto& ray, const PlaneRoot& root) {
+  return plane_root_error(ray, std::abs(ray.direction[root.face / 2]), root.t, 1.0);
 }
 [[nodiscard]] std::optional<Interval> intersect(const Box& box, const LocalRay& ray,
                                                 const FaceContact* contact = nullptr);
 [[nodiscard]] dvec3 outward_normal(const Box& box, const dvec3& point, int face);
-[[nodiscard]] dvec3 snapped(const Box& box, const dvec3& point, int face);
+[[nodiscard]] inline dvec3 snapped(const Box&, const dvec3& p, int face) {
+  const double at = face % 2 ? 1.0 : -1.0;
+  const int axis = face / 2;
+  return {axis == 0 ? at : p.x, axis == 1 ? at : p.y, axis == 2 ? at : p.z};
+}
 [[nodiscard]] int nearest_face(const Box& box, const dvec3& point);
 [[nodiscard]] double signed_distance(const Box& box, const dvec3& point);
 [[nodiscard]] Bounds bounds(const Box& box, const Transform& to_world);

@@ -46,6 +46,11 @@ public:
     return {{o[0], o[1], o[2]}, {d[0], d[1], d[2]}, this, &ray, o, d};
   }
 
+  [[nodiscard]] dvec3 inverse_point(const dvec3& p) const {
+    const Wide found = mapped(p.x - offset_.x, p.y - offset_.y, p.z - offset_.z);
+    return {found[0], found[1], found[2]};
+  }
+
 private:
   [[nodiscard]] Wide mapped(double x, double y, double z) const {
     return columns_[0] * x + columns_[1] * y + columns_[2] * z;
@@ -54,6 +59,34 @@ private:
   Wide columns_[3];
   dvec3 offset_;
   double inverse_norm_, image_size_;
+};
+
+/// The way out, for points and normals: Transform::point and Transform::normal.
+class Placement {
+public:
+  explicit Placement(const Transform& to_outer) {
+    const glm::dmat3 &linear = to_outer.linear(), &inverse = to_outer.inverse_linear();
+    for (int i = 0; i < 3; ++i) {
+      columns_[i] = Wide{linear[i].x, linear[i].y, linear[i].z, 0.0};
+      inverse_rows_[i] = Wide{inverse[0][i], inverse[1][i], inverse[2][i], 0.0};
+    }
+    const dvec3& offset = to_outer.offset();
+    offset_ = Wide{offset.x, offset.y, offset.z, 0.0};
+  }
+
+  [[nodiscard]] dvec3 point(const dvec3& p) const {
+    const Wide found = columns_[0] * p.x + columns_[1] * p.y + columns_[2] * p.z + offset_;
+    return {found[0], found[1], found[2]};
+  }
+  [[nodiscard]] dvec3 normal(const dvec3& n) const {
+    const Wide m = inverse_rows_[0] * n.x + inverse_rows_[1] * n.y + inverse_rows_[2] * n.z;
+    const Wide squares = m * m;
+    const Wide unit = m * (1.0 / std::sqrt(squares[0] + squares[1] + squares[2]));
+    return {unit[0], unit[1], unit[2]};
+  }
+
+private:
+  Wide columns_[3], offset_, inverse_rows_[3];
 };
 
 } // namespace abbe

@@ -23,7 +23,7 @@ struct PlaneInterval {
 /// True for solids all of whose faces are plane.
 template <class S>
 concept PlaneFaced = requires(const S& solid, const LocalRay& ray, const FaceContact* contact) {
-  with_error(solid, ray, plane_interval(solid, ray, contact)->exit).t_error;
+  root_error(solid, ray, plane_interval(solid, ray, contact)->exit) + 1.0;
 };
 
 /// Both ends of the interval with their bounds of error.
@@ -32,7 +32,10 @@ template <class S>
                                                   const FaceContact* contact) {
   const auto found = plane_interval(solid, ray, contact);
   if (!found) return std::nullopt;
-  Interval inside{with_error(solid, ray, found->enter), with_error(solid, ray, found->exit)};
+  const auto with_error = [&](const PlaneRoot& root) {
+    return Root{root.t, root_error(solid, ray, root), {0, root.face}};
+  };
+  Interval inside{with_error(found->enter), with_error(found->exit)};
   if (contact) {
     inside.enter.t_error = 0.0;
     inside.exit.t = std::max(0.0, inside.exit.t);

@@ -99,11 +99,6 @@ dvec3 outward_normal(const ConvexPolyhedron& solid, const dvec3&, int face) {
   return solid.half_spaces()[static_cast<std::size_t>(face)].normal;
 }
 
-dvec3 snapped(const ConvexPolyhedron& solid, const dvec3& point, int face) {
-  const HalfSpace& h = solid.half_spaces()[static_cast<std::size_t>(face)];
-  return point - (glm::dot(h.normal, point) - h.offset) * h.normal;
-}
-
 int nearest_face(const ConvexPolyhedron& solid, const dvec3& point) {
   const auto& planes = solid.half_spaces();
   const auto height = [&](const HalfSpace& h) { return glm::dot(h.normal, point) - h.offset; };

@@ -74,18 +74,21 @@ private:
   inside.enter = {0.0, contact->face};
   return inside;
 }
-/// The same root with its bound of error.
-[[nodiscard]] Root with_error(const ConvexPolyhedron& solid, const RayInFrame auto& ray,
-                              const PlaneRoot& root) {
-  if (std::isinf(root.t)) return {root.t, 0.0, {0, root.face}}; // an open end
+/// The bound of a root's error.
+[[nodiscard]] double root_error(const ConvexPolyhedron& solid, const RayInFrame auto& ray,
+                                const PlaneRoot& root) {
+  if (std::isinf(root.t)) return 0.0; // an open end
   const HalfSpace& plane = solid.half_spaces()[static_cast<std::size_t>(root.face)];
   const double speed = std::abs(glm::dot(plane.normal, ray.direction));
-  return {root.t, plane_root_error(ray, speed, root.t, std::abs(plane.offset)), {0, root.face}};
+  return plane_root_error(ray, speed, root.t, std::abs(plane.offset));
 }
 [[nodiscard]] std::optional<Interval> intersect(const ConvexPolyhedron& solid, const LocalRay& ray,
                                                 const FaceContact* contact = nullptr);
 [[nodiscard]] dvec3 outward_normal(const ConvexPolyhedron& solid, const dvec3& point, int face);
-[[nodiscard]] dvec3 snapped(const ConvexPolyhedron& solid, const dvec3& point, int face);
+[[nodiscard]] inline dvec3 snapped(const ConvexPolyhedron& solid, const dvec3& point, int face) {
+  const HalfSpace& h = solid.half_spaces()[static_cast<std::size_t>(face)];
+  return point - (glm::dot(h.normal, point) - h.offset) * h.normal;
+}
 [[nodiscard]] int nearest_face(const ConvexPolyhedron& solid, const dvec3& point);
 [[nodiscard]] double signed_distance(const ConvexPolyhedron& solid, const dvec3& point);
 [[nodiscard]] Bounds bounds(const ConvexPolyhedron& solid, const Transform& to_world);

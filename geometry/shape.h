@@ -49,6 +49,14 @@ struct ShapeCrossing {
   double t_error = 0.0;
   FaceId face;
   bool entering = false; ///< from outside to inside; of a flat shape: against its normal
+
+  /// One by one: assigned as a whole, a copy would wait for the values to reach the cache.
+  void set(double at, double error, FaceId on, bool enters) {
+    t = at;
+    t_error = error;
+    face = on;
+    entering = enters;
+  }
 };
 
 /// What a ray already knows about a shape: whether it is inside, and whether its origin lies on
@@ -67,7 +75,7 @@ template <FlatShape S>
   if (state.touching) return false; // never met again
   const auto root = intersect(shape, ray, 0.0, farthest);
   if (!root) return false;
-  next = {root->t, root->t_error, root->face, ray.direction.z < 0.0};
+  next.set(root->t, root->t_error, root->face, ray.direction.z < 0.0);
   return true;
 }
 template <ConvexSolid S>
@@ -82,27 +90,34 @@ template <ConvexSolid S>
     else
       return intersect(solid, ray, contact);
   }();
-  const auto bounded = [&](const auto& root) {
+  const auto error = [&](const auto& root) {
     if constexpr (PlaneFaced<S>)
-      return with_error(solid, ray, root);
+      return root_error(solid, ray, root);
     else
-      return root;
+      return root.t_error;
+  };
+  const auto face = [](const auto& root) {
+    if constexpr (PlaneFaced<S>)
+      return FaceId{0, root.face};
+    else
+      return root.face;
   };
   if (state.inside) {
     // The exit is endless only for a ray that runs out through the face it should run in from.
     if (!inside || inside->exit.t == kInfinity) {
-      next = {0.0, 0.0, {0, nearest_face(solid, ray.origin)}, false};
+      next.set(0.0, 0.0, {0, nearest_face(solid, ray.origin)}, false);
       return true;
     }
-    const Root exit = bounded(inside->exit);
-    next = {exit.t > 0.0 ? exit.t : 0.0, exit.t_error, exit.face, false};
+    const auto& exit = inside->exit;
+    next.set(exit.t > 0.0 ? exit.t : 0.0, error(exit), face(exit), false);
     return true;
   }
   if (!inside || inside->exit.t < 0.0 || inside->enter.t >= farthest) return false;
-  const Root enter = bounded(inside->enter);
+  const auto& enter = inside->enter;
+  const double enter_error = error(enter);
   // Behind the origin by no more than rounding, with the solid ahead: it is entered here.
-  if (enter.t < 0.0 && !(-enter.t <= enter.t_error && inside->exit.t > -enter.t)) return false;
-  next = {enter.t >= 0.0 ? enter.t : 0.0, enter.t_error, enter.face, true};
+  if (enter.t < 0.0 && !(-enter.t <= enter_error && inside->exit.t > -enter.t)) return false;
+  next.set(enter.t >= 0.0 ? enter.t : 0.0, enter_error, face(enter), true);
   return true;
 }
 

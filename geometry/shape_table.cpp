@@ -21,9 +21,7 @@ int plane_faces(const S& shape) {
 ShapeTable::ShapeTable(const std::vector<PlacedShape>& shapes) {
   rows_.reserve(shapes.size());
   for (const PlacedShape& placed : shapes) {
-    Row row{&placed, placed.material, placed.medium, placed.priority};
-    row.solid = is_solid(placed.shape);
-    row.tree = std::holds_alternative<CsgTree>(placed.shape);
+    Row& row = rows_.emplace_back(placed);
     std::visit(
         [&](const auto& shape) {
           const int faces = plane_faces(shape);
@@ -33,7 +31,6 @@ ShapeTable::ShapeTable(const std::vector<PlacedShape>& shapes) {
                 placed.to_world.normal(outward_normal(shape, dvec3(0.0), FaceId{0, face})));
         },
         placed.shape);
-    rows_.push_back(row);
   }
 }
 

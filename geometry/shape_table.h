@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/frame.h"
 #include "geometry/shape.h"
 
 #include <vector>
@@ -11,13 +12,19 @@ namespace abbe {
 class ShapeTable {
 public:
   struct Row {
-    const PlacedShape* placed = nullptr;
+    explicit Row(const PlacedShape& shape)
+        : from_world(shape.to_world), to_world(shape.to_world), placed(&shape),
+          material(shape.material), medium(shape.medium), priority(shape.priority),
+          solid(is_solid(shape.shape)), tree(std::holds_alternative<CsgTree>(shape.shape)) {}
+
+    Frame from_world;
+    Placement to_world;
+    const PlacedShape* placed;
     MaterialId material; ///< of the shape; operands of a tree may have their own
     MediumId medium;
-    int priority = 0;
+    int priority;
     std::int32_t first_normal = -1; ///< in `normals_`; negative: its faces are not all plane
-    bool solid = false;
-    bool tree = false;
+    bool solid, tree;
   };
 
   ShapeTable() = default;

@@ -4,14 +4,6 @@
 #include <cmath>
 
 namespace abbe {
-dvec3 outward_normal(const Sphere&, const dvec3& point, int) {
-  return point;
-}
-
-dvec3 snapped(const Sphere&, const dvec3& point, int) {
-  return point / glm::length(point);
-}
-
 int nearest_face(const Sphere&, const dvec3&) {
   return 0;
 }

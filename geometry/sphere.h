@@ -54,9 +54,13 @@ struct Sphere {};
   return Interval{{t0, error, {}}, {t1, error, {}}};
 }
 
-[[nodiscard]] dvec3 outward_normal(const Sphere& sphere, const dvec3& point, int face);
+[[nodiscard]] inline dvec3 outward_normal(const Sphere&, const dvec3& point, int) {
+  return point;
+}
 /// The nearest point of the surface to a point known to lie on it but for rounding.
-[[nodiscard]] dvec3 snapped(const Sphere& sphere, const dvec3& point, int face);
+[[nodiscard]] inline dvec3 snapped(const Sphere&, const dvec3& point, int) {
+  return point / glm::length(point);
+}
 [[nodiscard]] int nearest_face(const Sphere& sphere, const dvec3& point);
 /// Negative inside, positive outside, zero on the surface; near the surface it is the distance.
 [[nodiscard]] double signed_distance(const Sphere& sphere, const dvec3& point);

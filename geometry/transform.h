@@ -62,6 +62,7 @@ public:
     return inverse_norm * (v_error + 8.0 * kRoundoff * (largest(v) + image_size));
   }
 
+  [[nodiscard]] const glm::dmat3& linear() const { return linear_; }
   [[nodiscard]] const glm::dmat3& inverse_linear() const { return inverse_; }
   [[nodiscard]] const dvec3& offset() const { return offset_; }
   [[nodiscard]] double inverse_norm() const { return inverse_norm_; }

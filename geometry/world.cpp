@@ -129,10 +129,12 @@ struct World::Impl {
     embree::init(query.context);
     return query;
   }
-  // Both write what is met to `hit`: the caller's place, since a hit is large.
-  void closest(const RayState& state, double distance, std::optional<Hit>& hit) const;
-  void first_visible(const RayState& start, const NearestCandidates& nearest, double distance,
-                     std::optional<Hit>& hit) const;
+  [[nodiscard]] NearestCandidates nearest(const RayState& state, double distance) const;
+  [[nodiscard]] std::optional<Hit> closest(const RayState& state, double distance) const;
+  [[nodiscard]] std::optional<Hit> visible(const RayState& start, const NearestCandidates& nearest,
+                                           double distance) const;
+  void find_visible(const RayState& start, const NearestCandidates& nearest,
+                    std::optional<Hit>& hit) const;
   void go_on_behind(const RayState& start, double distance, std::optional<Hit>& hit) const;
 };
 
@@ -160,20 +162,35 @@ World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_origin
   if (!error.empty()) throw std::runtime_error("Embree: " + error);
 }
 
-void World::Impl::closest(const RayState& state, double distance, std::optional<Hit>& hit) const {
-  NearestCandidates nearest;
-  Query query = query_for(&state, &nearest, distance);
+NearestCandidates World::Impl::nearest(const RayState& state, double distance) const {
+  NearestCandidates found;
+  Query query = query_for(&state, &found, distance);
   trace_single(scene.get(), query);
-  first_visible(state, nearest, distance, hit);
+  return found;
 }
 
-/// Turns the nearest candidates into a hit; goes on behind boundaries that do not show.
-void World::Impl::first_visible(const RayState& start, const NearestCandidates& nearest,
-                                double distance, std::optional<Hit>& hit) const {
+std::optional<Hit> World::Impl::closest(const RayState& state, double distance) const {
+  const NearestCandidates found = nearest(state, distance);
+  if (found.empty()) return std::nullopt;
+  return visible(state, found, distance);
+}
+
+/// Turns the nearest candidates, of which there are some, into what is visible. (An empty optional
+/// would be cleared with all its storage before it is filled.)
+std::optional<Hit> World::Impl::visible(const RayState& start, const NearestCandidates& nearest,
+                                        double distance) const {
+  std::optional<Hit> hit(std::in_place);
+  if (!resolve(table, start, nearest.boundary(), *hit)) go_on_behind(start, distance, hit);
+  return hit;
+}
+
+/// The same to the caller's place.
+void World::Impl::find_visible(const RayState& start, const NearestCandidates& nearest,
+                               std::optional<Hit>& hit) const {
   if (nearest.empty())
     hit.reset();
   else if (!resolve(table, start, nearest.boundary(), hit.emplace()))
-    go_on_behind(start, distance, hit);
+    go_on_behind(start, kInfinity, hit);
 }
 
 /// Goes on behind `hit`, which does not show, to the first boundary that does. After very many,
@@ -189,9 +206,7 @@ void World::Impl::go_on_behind(const RayState& start, double distance,
     state.ray.origin = hit->point;
     state.contacts = hit->other_side;
     state.nesting = hit->nesting_after;
-    NearestCandidates next;
-    Query query = query_for(&state, &next, distance - travelled);
-    trace_single(scene.get(), query);
+    const NearestCandidates next = nearest(state, distance - travelled);
     if (next.empty()) {
       hit.reset();
       return;
@@ -208,9 +223,7 @@ World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
 std::optional<Hit> World::closest(const RayState& state) const {
-  std::optional<Hit> hit;
-  impl_->closest(state, kInfinity, hit);
-  return hit;
+  return impl_->closest(state, kInfinity);
 }
 
 void World::closest(std::span<const RayState> states, std::span<std::optional<Hit>> hits,
@@ -219,7 +232,7 @@ void World::closest(std::span<const RayState> states, std::span<std::optional<Hi
     const std::size_t count = std::min(kWidest, states.size() - begin);
     if (tracing == Tracing::single || count == 1) {
       for (std::size_t i = begin; i < begin + count; ++i)
-        impl_->closest(states[i], kInfinity, hits[i]);
+        impl_->find_visible(states[i], impl_->nearest(states[i], kInfinity), hits[i]);
       continue;
     }
     std::array<NearestCandidates, kWidest> nearest;
@@ -231,7 +244,7 @@ void World::closest(std::span<const RayState> states, std::span<std::optional<Hi
     else
       trace_packet<RTCRayHit16, 16>(impl_->scene.get(), query, count);
     for (std::size_t i = 0; i < count; ++i)
-      impl_->first_visible(states[begin + i], nearest[i], kInfinity, hits[begin + i]);
+      impl_->find_visible(states[begin + i], nearest[i], hits[begin + i]);
   }
 }
 
@@ -245,9 +258,7 @@ bool World::occluded(const RayState& state, double distance) const {
   embree::occluded(impl_->scene.get(), query.context, ray);
   if (ray.tfar < 0.0f) return true;
   if (!query.met_glass) return false;
-  std::optional<Hit> hit;
-  impl_->closest(state, distance, hit);
-  return hit.has_value();
+  return impl_->closest(state, distance).has_value();
 }
 
 std::size_t World::replay_closest(std::span<const RayState> states, int width) const {

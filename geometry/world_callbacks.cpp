@@ -27,36 +27,30 @@ LocalRay ray_for(const Primitive& primitive, const Ray& ray) {
     return primitive.frame.see(ray).with_errors();
 }
 
-/// What a ray knows of a shape. True when a contact says that it crosses the surface at once, then
-/// written to `at_once`.
-template <class S>
-bool crosses_contact(const Primitive& primitive, const RayState& state, ShapeState& known,
-                     ShapeCrossing& at_once) {
-  const ShapeId id = primitive.id;
-  if constexpr (!FlatShape<S>)
-    known.inside = std::find(state.nesting.begin(), state.nesting.end(), id) != state.nesting.end();
-  for (const SurfaceContact& contact : state.contacts) {
-    if (contact.shape != id) continue;
-    const bool outside = contact.side == Side::outside;
-    const bool first = &contact == state.contacts.begin();
-    if (!first && contradicts(*std::get_if<S>(&primitive.placed->shape),
-                              ray_for<S>(primitive, state.ray), contact)) {
-      at_once = {0.0, 0.0, contact.face, outside};
-      return true;
-    }
-    known = {!outside, true, contact.face};
-    break;
-  }
-  return false;
+const SurfaceContact* contact_with(ShapeId id, const Contacts& contacts) {
+  for (const SurfaceContact& contact : contacts)
+    if (contact.shape == id) return &contact;
+  return nullptr;
 }
 
 /// What a ray meets next of a shape; it need not be found at `farthest` or beyond.
 template <class S>
 bool find_crossing(const Primitive& primitive, const RayState& state, double farthest,
                    ShapeCrossing& found) {
-  ShapeState known;
-  if (crosses_contact<S>(primitive, state, known, found)) return true;
   const S& shape = *std::get_if<S>(&primitive.placed->shape);
+  ShapeState known;
+  if constexpr (!FlatShape<S>)
+    known.inside =
+        std::find(state.nesting.begin(), state.nesting.end(), primitive.id) != state.nesting.end();
+  if (const SurfaceContact* contact = contact_with(primitive.id, state.contacts)) {
+    const bool outside = contact->side == Side::outside;
+    const bool first = contact == state.contacts.begin();
+    if (!first && contradicts(shape, ray_for<S>(primitive, state.ray), *contact)) {
+      found.set(0.0, 0.0, contact->face, outside);
+      return true;
+    }
+    known = {!outside, true, contact->face};
+  }
   if constexpr (FlatShape<S> || PlaneFaced<S> || std::is_same_v<S, Sphere>) {
     return find_next(shape, primitive.frame.see(state.ray), known, farthest, found);
   } else {
