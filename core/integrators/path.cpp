@@ -2,6 +2,7 @@
 
 #include "core/integrators/absorption.h"
 #include "core/materials/fresnel.h"
+#include "core/materials/surface_finish.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,7 @@ constexpr int kSureSurfaces = 3;
 Path::Path(const Plan& plan, const World& world, const Lamps& lamps, double pixel_angle)
     : plan_(plan), world_(world), lamps_(lamps), wavelengths_(plan), fan_(plan, world, pixel_angle),
       shadow_rays_(plan, world), scattering_(plan), ones_(1.0f, plan.grid.count()),
-      throughput_(plan.stride), light_(plan.stride) {}
+      textured_(0.0f, plan.grid.count()), throughput_(plan.stride), light_(plan.stride) {}
 
 dvec2 Path::numbers(SamplePurpose purpose) const {
   return sampler_->pair(purpose + kPerSurface * static_cast<std::uint32_t>(bundle_.depth));
@@ -69,18 +70,19 @@ void Path::gather() {
   }
   const Hit& hit = *bundle_.hit;
   absorb(plan_.medium(hit.medium_before), hit.t, first, last, throughput_.data());
-  const MaterialPlan& material = plan_.materials[hit.material.index()];
-  if (!material.emits(hit)) return;
+  material_ = &plan_.materials[hit.material.index()];
+  if (material_->mixed()) material_ = &part_of(plan_, *material_, numbers(kSurfaceChoice).y);
+  if (!material_->emits(hit)) return;
   double weight = 1.0;
   if (bundle_.density > 0.0)
     weight = bundle_.density / (bundle_.density + lamps_.density(bundle_.state.ray.origin, hit));
-  sums_->add(material.emission_source, throughput_.data(), ones_, static_cast<float>(weight), first,
-             last);
+  sums_->add(material_->emission_source, throughput_.data(), ones_, static_cast<float>(weight),
+             first, last);
 }
 
 bool Path::go_on() {
-  const MaterialPlan& material = plan_.materials[bundle_.hit->material.index()];
-  scattering_.prepare(material, *bundle_.hit, bundle_.state.ray.direction, bundle_.first,
+  const BandTable& diffuse = diffuse_at(plan_, world_, *material_, *bundle_.hit, textured_);
+  scattering_.prepare(*material_, diffuse, *bundle_.hit, bundle_.state.ray.direction, bundle_.first,
                       bundle_.last, throughput_.data(), wavelengths_);
   if (scattering_.spreads() && !lamps_.empty()) aim_at_a_lamp(*bundle_.hit);
   const Scattering::Choice choice =

@@ -50,14 +50,15 @@ private:
   Fan fan_;
   ShadowRays shadow_rays_;
   Scattering scattering_;
-  BandTable ones_;
+  BandTable ones_, textured_;
 
   // Of the sample being followed.
   const Sampler* sampler_ = nullptr;
   RadianceSums* sums_ = nullptr;
   RayCounts* counts_ = nullptr;
   double band_choice_ = 0.0;
-  double importance_ = 1.0; ///< of the current bundle behind its last hit
+  const MaterialPlan* material_ = nullptr; ///< at the current bundle's hit
+  double importance_ = 1.0;                ///< of the current bundle behind its last hit
 
   Bundle bundle_;                 ///< being followed
   std::vector<float> throughput_; ///< of it
