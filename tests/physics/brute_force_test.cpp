@@ -24,8 +24,8 @@ using namespace abbe;
 namespace {
 
 constexpr int kSide = 20, kBands = 9, kSurfaces = 5;
-constexpr int kPaths = 2000; ///< of the brute-force estimator in each pixel
-constexpr int kRenders = 48; ///< of the path tracer, with seeds of their own
+constexpr int kPaths = 10000; ///< of the brute-force estimator in each pixel
+constexpr int kRenders = 64; ///< of the path tracer, with seeds of their own
 
 using Color = std::array<double, 3>;
 
@@ -113,7 +113,7 @@ Scene box() {
   scene.settings.filter = PixelFilter::box;
   scene.settings.bands = kBands;
   scene.settings.max_depth = kSurfaces;
-  scene.settings.samples_per_pixel = 4;
+  scene.settings.samples_per_pixel = 16;
   return scene;
 }
 
