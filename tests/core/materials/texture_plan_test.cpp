@@ -118,6 +118,26 @@ TEST_CASE("an image's reflectances have its colours under D65, and lie between 0
   }
 }
 
+TEST_CASE("whichever component is largest, a reflectance has its colour and lies between 0 and 1") {
+  const ReflectanceLattice lattice(centers());
+  BandTable table(0.0f, 81);
+  constexpr std::array<float, 3> kOrder{0.0f, 0.3f, 0.9f};
+  for (const float cell : {0.0f, 0.4f, 0.875f})
+    for (const auto& [i, j, k] :
+         {std::array{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}) {
+      const std::array<float, 3> rgb{cell + kOrder[static_cast<std::size_t>(i)] / 8.0f,
+                                     cell + kOrder[static_cast<std::size_t>(j)] / 8.0f,
+                                     cell + kOrder[static_cast<std::size_t>(k)] / 8.0f};
+      lattice.evaluate(rgb, table);
+      for (int b = 0; b < 81; ++b)
+        CHECK((table[b] >= -1e-6f && table[b] <= 1.0f + 1e-6f));
+      const LinearRgb color = seen(table);
+      CHECK(color.r == Approx(static_cast<double>(rgb[0])).margin(3e-6));
+      CHECK(color.g == Approx(static_cast<double>(rgb[1])).margin(3e-6));
+      CHECK(color.b == Approx(static_cast<double>(rgb[2])).margin(3e-6));
+    }
+}
+
 TEST_CASE("the lattice meets the corners of the colour cube, and greys are flat") {
   const ReflectanceLattice lattice(centers());
   BandTable table(0.0f, 81);
