@@ -42,6 +42,8 @@ struct MaterialPlan {
   MixturePlan mixture;
 
   [[nodiscard]] bool mixed() const { return mixture.first >= 0; }
+  /// True when some light goes on along the one reflected or refracted ray.
+  [[nodiscard]] bool specular_part() const { return reflects || transmits; }
   /// True when a ray that meets the surface sees light that it gives off.
   [[nodiscard]] bool emits(const Hit& hit) const {
     return emission_source >= 0 && (hit.entering || emits_behind);
@@ -88,6 +90,8 @@ struct Plan {
   PixelWindow window; ///< what is rendered
   std::vector<Tile> tiles;
   double quantum = 1.0; ///< of the film's sums
+
+  bool caustics = false; ///< light-side passes have something to do
 
   std::vector<std::string> notes; ///< what was found and what is left out, for people
 

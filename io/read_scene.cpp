@@ -36,7 +36,8 @@ const std::vector<SceneKeyword>& all_keywords() {
     for (const auto& table :
          {setting_keywords(), display_keywords(), camera_keywords(), transform_keywords(),
           material_keywords(), texture_keywords(), mixture_keywords(), light_keywords(),
-          shape_keywords(), lens_keywords(), boolean_keywords(), macro_keywords()})
+          light_path_keywords(), shape_keywords(), lens_keywords(), boolean_keywords(),
+          macro_keywords()})
       rows.insert(rows.end(), table.begin(), table.end());
     return rows;
   }();

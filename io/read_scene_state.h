@@ -2,6 +2,7 @@
 
 #include "core/scene.h"
 #include "io/read_arguments.h"
+#include "io/read_mesh.h"
 #include "io/read_scene_libraries.h"
 #include "io/token.h"
 #include "spectral/color.h"
@@ -67,6 +68,7 @@ struct Macro {
 struct SceneState {
   Scene scene;
   SceneLibraries libraries;
+  MeshFiles meshes;
   Warn warn;
 
   Transform transform;
@@ -102,6 +104,7 @@ struct SceneKeyword {
 [[nodiscard]] std::span<const SceneKeyword> texture_keywords();
 [[nodiscard]] std::span<const SceneKeyword> mixture_keywords();
 [[nodiscard]] std::span<const SceneKeyword> light_keywords();
+[[nodiscard]] std::span<const SceneKeyword> light_path_keywords();
 [[nodiscard]] std::span<const SceneKeyword> shape_keywords();
 [[nodiscard]] std::span<const SceneKeyword> lens_keywords();
 [[nodiscard]] std::span<const SceneKeyword> boolean_keywords();

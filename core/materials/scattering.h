@@ -22,7 +22,7 @@ enum class ScatterKind : std::uint8_t { none, reflect, refract, spread };
 /// band, and the part that spreads light as a function of direction.
 class Scattering {
 public:
-  explicit Scattering(const Plan& plan);
+  Scattering(const Plan& plan, Transport transport);
 
   /// Prepares for bands [first, last) of a ray along `direction` that meets `hit`, where the
   /// diffuse reflectance is `diffuse` (see diffuse_at), which stays in use. The parts are chosen in
@@ -45,6 +45,8 @@ public:
     double chance = 1.0;
   };
   [[nodiscard]] Choice choose(double u) const;
+  /// The same among the reflected and the refracted ray alone.
+  [[nodiscard]] Choice choose_specular(double u) const;
 
   /// Factors on radiance that comes along the reflected and the refracted ray.
   [[nodiscard]] const float* reflected() const { return factors_.reflected.data(); }
@@ -65,6 +67,7 @@ private:
   [[nodiscard]] double phong_density(const dvec3& local) const;
 
   const Plan& plan_;
+  Transport transport_;
   const MaterialPlan* material_ = nullptr;
   const BandTable* diffuse_ = nullptr;
   const Hit* hit_ = nullptr;

@@ -111,3 +111,25 @@ TEST_CASE("dust on glass stops its share of the light") {
   const double through = 0.75 * 0.75;
   CHECK(std::abs(sum - through) < 5.0 * std::sqrt(through * (1.0 - through) / kCount));
 }
+
+// Light comes to the floor through a slab of glass, and so does the sight: photons are looked up.
+// Parts are chosen by the camera's paths alone; were they by light paths too, half would count as a
+// quarter.
+TEST_CASE("caustics on a mixture are as bright as on the mean of its parts") {
+  const auto brightness = [](const std::string& floor) {
+    const Rendering r = test::render_scene(
+        test::scene_from("integrator path light E 0.3 0 1 0 eye 0 0 6 lookAt 0 0 0 fieldOfView 4 "
+                         "imageSize 8 8 samples 64 bands 3 filter box " +
+                         kParts + floor + " plane glass N-BK7 translate 0 0 1 scale 2 2 0.1 cube"),
+        false);
+    double sum = 0.0;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x)
+        sum += r.film.color(x, y).y;
+    return sum / (kSide * kSide);
+  };
+  const double mixed = brightness("mix white black 0.5"), mean = brightness("diffuse 0.4 0.4 0.4");
+  CHECK(mean > 0.2); // 0.4 times the cosine and two boundaries' transmittance, twice
+  // The photons are the same; of the camera's samples a half, by chance, sees them.
+  CHECK(std::abs(mixed / mean - 1.0) < 5.0 / std::sqrt(kCount));
+}
