@@ -72,6 +72,18 @@ std::vector<double> table_wavelengths(const Plan& plan) {
   return nm;
 }
 
+/// Paths follow what either part does. Light that it gives off is met by chance only.
+MaterialPlan planned_mixture(const Plan& plan, const Mixture& mixture) {
+  const MaterialPlan &a = plan.materials[mixture.first.index()],
+                     &b = plan.materials[mixture.second.index()];
+  MaterialPlan m;
+  m.reflects = a.reflects || b.reflects;
+  m.transmits = a.transmits || b.transmits;
+  m.lit = a.lit || b.lit;
+  m.mixture = {mixture.first.value, mixture.second.value, mixture.share};
+  return m;
+}
+
 void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
   const RenderSettings& settings = plan.settings;
   const std::vector<double> nm = table_wavelengths(plan);
@@ -102,9 +114,14 @@ void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
     m.reflects = largest(m.reflectivity) > static_cast<float>(settings.min_reflectivity);
     m.transmits = largest(m.transparency) > static_cast<float>(settings.min_transparency);
     m.lit = !m.diffuse.zero() || !m.specular.zero();
+    if (material.texture) {
+      m.texture = plan_texture(plan.textures, *material.texture, scene.images, nm, settings.skip);
+      m.lit = true;
+    }
     m.emits_behind = material.emits_behind;
     if (material.emission.constant_value() != 0.0)
       m.emission_source = sources.add(material.emission);
+    if (material.mixture) m = planned_mixture(plan, *material.mixture);
     plan.materials.push_back(std::move(m));
   }
 }

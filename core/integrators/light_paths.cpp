@@ -50,14 +50,15 @@ void LightPaths::follow() {
 bool LightPaths::go_on() {
   const Hit& hit = *bundle_.hit;
   absorb(plan_.medium(hit.medium_before), hit.t, bundle_.first, bundle_.last, throughput_.data());
-  const MaterialPlan& material = plan_.materials[hit.material.index()];
+  const MaterialPlan& material = find_material();
   // Light that is spread at once is the camera paths' to find.
   if (bundle_.depth == 0 && !material.specular_part()) return false;
-  scattering_.prepare(material, hit, bundle_.state.ray.direction, bundle_.first, bundle_.last,
-                      throughput_.data(), wavelengths_);
-  if (bundle_.depth > 0 && scattering_.spreads()) {
-    if (camera_) splat(hit);
-    if (photons_) keep(hit);
+  prepare_scattering();
+  if (bundle_.depth > 0) {
+    if (camera_ && scattering_.spreads()) splat(hit);
+    // On a mixture photons are all light that arrives: who looks them up chooses the part.
+    const MaterialPlan& whole = plan_.materials[hit.material.index()];
+    if (photons_ && (whole.mixed() ? whole.lit : scattering_.spreads())) keep(hit);
   }
   const auto [kind, chance] =
       scattering_.choose_specular(scattering_.certain() ? 0.0 : numbers(kScatter).x);

@@ -44,7 +44,7 @@ void Path::gather() {
   }
   const Hit& hit = *bundle_.hit;
   absorb(plan_.medium(hit.medium_before), hit.t, first, last, throughput_.data());
-  const MaterialPlan& material = plan_.materials[hit.material.index()];
+  const MaterialPlan& material = find_material();
   if (!material.emits(hit) || found_otherwise(hit)) return;
   double weight = 1.0;
   if (bundle_.density > 0.0)
@@ -64,9 +64,7 @@ bool Path::found_otherwise(const Hit& emitting) const {
 
 bool Path::go_on() {
   const Hit& hit = *bundle_.hit;
-  const MaterialPlan& material = plan_.materials[hit.material.index()];
-  scattering_.prepare(material, hit, bundle_.state.ray.direction, bundle_.first, bundle_.last,
-                      throughput_.data(), wavelengths_);
+  prepare_scattering();
   if (scattering_.spreads()) {
     if (!lamps_.empty()) aim_at_a_lamp(hit);
     // What the camera sees directly gets its caustics by splats.

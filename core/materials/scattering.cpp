@@ -38,10 +38,11 @@ Scattering::Scattering(const Plan& plan, Transport transport) : plan_(plan), tra
   factors_.transmitted.resize(plan.stride);
 }
 
-void Scattering::prepare(const MaterialPlan& material, const Hit& hit, const dvec3& direction,
-                         int first, int last, const float* throughput,
-                         PathWavelengths& wavelengths) {
+void Scattering::prepare(const MaterialPlan& material, const BandTable& diffuse_table,
+                         const Hit& hit, const dvec3& direction, int first, int last,
+                         const float* throughput, PathWavelengths& wavelengths) {
   material_ = &material;
+  diffuse_ = &diffuse_table;
   hit_ = &hit;
   first_ = first;
   last_ = last;
@@ -54,7 +55,7 @@ void Scattering::prepare(const MaterialPlan& material, const Hit& hit, const dve
   if (material.lit) {
     frame_ = Frame(hit.entering ? hit.normal : -hit.normal);
     to_eye_ = frame_.to_local(-direction);
-    const double diffuse = brought(throughput, material.diffuse.data(), first, last);
+    const double diffuse = brought(throughput, diffuse_table.data(), first, last);
     const double specular = brought(throughput, material.specular.data(), first, last);
     spread_ = diffuse + specular;
     lambert_ = spread_ > 0.0 ? diffuse / spread_ : 1.0;
@@ -120,7 +121,7 @@ double Scattering::evaluate(const dvec3& towards, float* f_cos) const {
   const double cosine = glm::dot(towards, frame_.z);
   if (!(cosine > 0.0)) return 0.0;
   const float lambert = static_cast<float>(cosine / kPi);
-  const float* diffuse = material_->diffuse.data();
+  const float* diffuse = diffuse_->data();
   for (int b = first_; b < last_; ++b)
     f_cos[b] = diffuse[b] * lambert;
   double density = lambert_ * cosine / kPi;

@@ -24,10 +24,12 @@ class Scattering {
 public:
   Scattering(const Plan& plan, Transport transport);
 
-  /// Prepares for bands [first, last) of a ray along `direction` that meets `hit`. The parts are
-  /// chosen in proportion to what they would bring of `throughput`, summed over the bands.
-  void prepare(const MaterialPlan& material, const Hit& hit, const dvec3& direction, int first,
-               int last, const float* throughput, PathWavelengths& wavelengths);
+  /// Prepares for bands [first, last) of a ray along `direction` that meets `hit`, where the
+  /// diffuse reflectance is `diffuse` (see diffuse_at), which stays in use. The parts are chosen in
+  /// proportion to what they would bring of `throughput`, summed over the bands.
+  void prepare(const MaterialPlan& material, const BandTable& diffuse, const Hit& hit,
+               const dvec3& direction, int first, int last, const float* throughput,
+               PathWavelengths& wavelengths);
 
   /// True when some of the light is spread, so that lamps can be aimed at.
   [[nodiscard]] bool spreads() const { return spread_ > 0.0; }
@@ -67,6 +69,7 @@ private:
   const Plan& plan_;
   Transport transport_;
   const MaterialPlan* material_ = nullptr;
+  const BandTable* diffuse_ = nullptr;
   const Hit* hit_ = nullptr;
   int first_ = 0, last_ = 0;
   Frame frame_{dvec3(0.0, 0.0, 1.0)}; ///< z: the normal on the side that the ray comes from

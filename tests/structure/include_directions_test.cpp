@@ -49,6 +49,9 @@ constexpr Permission kPermissions[] = {
     {"io/", "fmt/"},
     {"io/command_line.cpp", "CLI/"},
     {"io/read_mesh.cpp", "assimp/"},
+    {"io/read_exr.cpp", "OpenEXR/"},
+    {"io/read_exr.cpp", "Imath/"},
+    {"io/read_png.cpp", "png.h"},
     {"io/write_exr.cpp", "OpenEXR/"},
     {"io/write_exr.cpp", "Imath/"}, // a part of OpenEXR
     {"io/write_tiff.cpp", "tiffio.h"},
