@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/lights/sampled_surface.h"
 #include "core/plan.h"
 #include "geometry/ray_state.h"
 
@@ -47,8 +48,9 @@ public:
 
 private:
   struct Lamp {
-    int light = -1; ///< index into Scene::lights; negative: a shape
-    ShapeId shape;
+    int light = -1;                        ///< index into Scene::lights; negative: a shape
+    std::optional<SampledSurface> surface; ///< of a shape
+    bool solid = false;                    ///< the shape gives light off outwards only
     int source = 0;
     double power = 0.0;
     double chance = 0.0;     ///< of being chosen
@@ -58,8 +60,6 @@ private:
   void add_shapes();
   void share_chances();
   [[nodiscard]] std::optional<LampSample> sample_light(const Lamp& lamp, const dvec3& place) const;
-  [[nodiscard]] std::optional<LampSample> sample_shape(const Lamp& lamp, const dvec3& place,
-                                                       const dvec2& u) const;
 
   const Scene& scene_;
   const Plan& plan_;
