@@ -64,7 +64,8 @@ void Path::gather() {
   if (!bundle_.hit) {
     absorb(plan_.medium(world_.medium_of(bundle_.state.nesting)), kInfinity, first, last,
            throughput_.data());
-    sums_->add(Plan::kBackground, throughput_.data(), ones_, 1.0f, first, last);
+    lamps_.add_sky(bundle_.state.ray.direction, bundle_.density, throughput_.data(), first, last,
+                   *sums_);
     return;
   }
   const Hit& hit = *bundle_.hit;

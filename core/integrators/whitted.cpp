@@ -18,10 +18,11 @@ constexpr double kSurePart = 1.0 / 8.0;
 
 } // namespace
 
-Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, double pixel_angle)
-    : scene_(scene), plan_(plan), world_(world), wavelengths_(plan), fan_(plan, world, pixel_angle),
-      shadow_rays_(plan, world), ones_(1.0f, plan.grid.count()), throughput_(plan.stride),
-      lit_(plan.stride) {
+Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
+                 double pixel_angle)
+    : scene_(scene), plan_(plan), world_(world), lamps_(lamps), wavelengths_(plan),
+      fan_(plan, world, pixel_angle), shadow_rays_(plan, world), ones_(1.0f, plan.grid.count()),
+      throughput_(plan.stride), lit_(plan.stride) {
   scatter_.reflected.resize(plan.stride);
   scatter_.transmitted.resize(plan.stride);
 }
@@ -63,7 +64,8 @@ void Whitted::shade(const Bundle& bundle, RadianceSums& sums, RayCounts& counts)
   if (!bundle.hit) {
     absorb(plan_.medium(world_.medium_of(bundle.state.nesting)), kInfinity, bundle.first,
            bundle.last, throughput_.data());
-    add(Plan::kBackground, ones_);
+    lamps_.add_sky(bundle.state.ray.direction, 0.0, throughput_.data(), bundle.first, bundle.last,
+                   sums);
     return;
   }
   const Hit& hit = *bundle.hit;

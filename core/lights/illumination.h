@@ -13,6 +13,7 @@ struct Illumination {
   double strength = 0.0;
 };
 
+/// As if from one direction: a sun counts as parallel light from the middle of its disc.
 [[nodiscard]] Illumination illumination(const Light& light, const dvec3& point);
 
 } // namespace abbe

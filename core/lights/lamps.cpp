@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -31,7 +32,8 @@ double solid_angle(const Light& light) {
 } // namespace
 
 Lamps::Lamps(const Scene& scene, const Plan& plan)
-    : scene_(scene), plan_(plan), lamp_of_shape_(scene.shapes.size(), -1) {
+    : scene_(scene), plan_(plan), ones_(1.0f, plan.grid.count()),
+      lamp_of_shape_(scene.shapes.size(), -1) {
   add_lights();
   add_shapes();
   share_chances();
@@ -53,6 +55,12 @@ void Lamps::add_lights() {
     lamp.light = static_cast<int>(i);
     lamp.source = plan_.light_source(i);
     lamp.power = flux;
+    if (const auto* sun = std::get_if<SunLight>(&light.emitter)) {
+      const double sine = std::sin(sun->angular_radius);
+      lamp.disc = Cone::of_sine(-sun->direction, sine * sine);
+      lamp.radiance = sun->radiance_per_value();
+      suns_.push_back(static_cast<int>(lamps_.size()));
+    }
     lamps_.push_back(lamp);
   }
 }
@@ -94,6 +102,11 @@ std::optional<LampSample> Lamps::sample(const dvec3& place, double choice, const
   const auto chosen =
       std::upper_bound(lamps_.begin(), lamps_.end() - 1, choice,
                        [](double value, const Lamp& lamp) { return value < lamp.cumulative; });
+  if (chosen->disc) {
+    const double density = chosen->chance * chosen->disc->density();
+    return LampSample{chosen->disc->sample(u), std::numeric_limits<double>::infinity(), density,
+                      chosen->radiance / density, chosen->source};
+  }
   if (chosen->light >= 0) return sample_light(*chosen, place);
   const auto seen = std::visit([&](const auto& s) { return s.sample(place, u); }, *chosen->surface);
   if (!seen) return std::nullopt;
@@ -117,6 +130,20 @@ double Lamps::density(const dvec3& place, const Hit& hit) const {
   return lamp.chance *
          std::visit([&](const auto& s) { return s.density(place, hit.point, hit.normal); },
                     *lamp.surface);
+}
+
+void Lamps::add_sky(const dvec3& direction, double density, const float* throughput, int first,
+                    int last, RadianceSums& sums) const {
+  sums.add(Plan::kBackground, throughput, ones_, 1.0f, first, last);
+  const auto weight = [&](double lamp_density) {
+    return density > 0.0 ? density / (density + lamp_density) : 1.0;
+  };
+  for (const int i : suns_) {
+    const Lamp& sun = lamps_[static_cast<std::size_t>(i)];
+    if (!sun.disc->holds(direction)) continue;
+    const double part = sun.radiance * weight(sun.chance * sun.disc->density());
+    sums.add(sun.source, throughput, ones_, static_cast<float>(part), first, last);
+  }
 }
 
 } // namespace abbe

@@ -1,17 +1,14 @@
 #pragma once
 
+#include "core/lights/cone.h"
 #include "core/lights/sampled_surface.h"
-#include "core/plan.h"
+#include "core/radiance_sums.h"
 #include "geometry/ray_state.h"
-
-#include <glm/vec2.hpp>
 
 #include <optional>
 #include <vector>
 
 namespace abbe {
-
-using glm::dvec2;
 
 /// A lamp as chosen for a place that it may light.
 struct LampSample {
@@ -46,11 +43,19 @@ public:
   /// to an emitting surface that a ray met. 0 for surfaces that are not aimed at.
   [[nodiscard]] double density(const dvec3& place, const Hit& hit) const;
 
+  /// Adds what a ray sees that leaves the scene along a unit direction: the background, and the
+  /// discs of suns, each weighed against `sample` where the ray was spread with this density per
+  /// steradian (0: it was not).
+  void add_sky(const dvec3& direction, double density, const float* throughput, int first, int last,
+               RadianceSums& sums) const;
+
 private:
   struct Lamp {
     int light = -1;                        ///< index into Scene::lights; negative: a shape
     std::optional<SampledSurface> surface; ///< of a shape
     bool solid = false;                    ///< the shape gives light off outwards only
+    std::optional<Cone> disc;              ///< of a sun
+    double radiance = 0.0;                 ///< of that disc, per unit of the spectrum
     int source = 0;
     double power = 0.0;
     double chance = 0.0;     ///< of being chosen
@@ -63,7 +68,9 @@ private:
 
   const Scene& scene_;
   const Plan& plan_;
+  BandTable ones_;
   std::vector<Lamp> lamps_;
+  std::vector<int> suns_;          ///< the lamps that are suns
   std::vector<int> lamp_of_shape_; ///< by ShapeId; negative: none
 };
 
