@@ -49,6 +49,12 @@ double film_quantum(const Scene& scene, const BandGrid& grid, Observer observer)
     else if (way > 0.0)
       brightest = std::max(brightest, value / (way * way));
   }
+  if (scene.environment) {
+    const Environment& e = *scene.environment;
+    const double most =
+        e.rgb.empty() ? 0.0 : std::max(0.0f, *std::max_element(e.rgb.begin(), e.rgb.end()));
+    brightest = std::max(brightest, brightness(e.light) * e.factor * most);
+  }
   for (const Material& material : scene.materials)
     brightest = std::max(brightest, brightness(material.emission));
   return brightest > 0.0 ? std::ldexp(1.0, std::ilogb(brightest) - 36) : 1.0;

@@ -114,6 +114,7 @@ void Path::aim_at_a_lamp(const Hit& hit) {
   if (lamp->density > 0.0) weight *= lamp->density / (lamp->density + density);
   for (int b = first; b < last; ++b)
     light_[static_cast<std::size_t>(b)] *= throughput_[static_cast<std::size_t>(b)] * arriving[b];
+  lamps_.tint(*lamp, first, last, light_.data());
   sums_->add(lamp->source, light_.data(), ones_, static_cast<float>(weight), first, last);
 }
 

@@ -29,6 +29,13 @@ double solid_angle(const Light& light) {
   return 2.0 * kPi * (1.0 - std::cos(0.5 * (spot->full_angle + spot->half_angle)));
 }
 
+/// The area of a disc about the scene, through which goes what of distant light reaches it. A scene
+/// without extent still has its lamps.
+double scene_disc(const Scene& scene) {
+  const double size = scene_size(scene);
+  return size > 0.0 ? 0.25 * kPi * size * size : kPi;
+}
+
 } // namespace
 
 Lamps::Lamps(const Scene& scene, const Plan& plan)
@@ -36,14 +43,12 @@ Lamps::Lamps(const Scene& scene, const Plan& plan)
       lamp_of_shape_(scene.shapes.size(), -1) {
   add_lights();
   add_shapes();
+  add_environment();
   share_chances();
 }
 
 void Lamps::add_lights() {
-  // Light that does not fall off crosses the whole scene; its flux is that through a disc about it.
-  // A scene without extent still has its lamps.
-  const double size = scene_size(scene_);
-  const double disc = size > 0.0 ? 0.25 * kPi * size * size : kPi;
+  const double disc = scene_disc(scene_);
   for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
     const Light& light = scene_.lights[i];
     const double value = mean_of(light.spectrum, plan_.grid);
@@ -85,6 +90,18 @@ void Lamps::add_shapes() {
   }
 }
 
+void Lamps::add_environment() {
+  if (!plan_.environment) return;
+  Lamp lamp;
+  lamp.environment = true;
+  lamp.source = plan_.environment_source;
+  lamp.power = scene_disc(scene_) * plan_.environment->total() *
+               mean_of(scene_.environment->light, plan_.grid);
+  if (!(lamp.power > 0.0)) return;
+  environment_ = static_cast<int>(lamps_.size());
+  lamps_.push_back(std::move(lamp));
+}
+
 void Lamps::share_chances() {
   double total = 0.0;
   for (const Lamp& lamp : lamps_)
@@ -102,6 +119,14 @@ std::optional<LampSample> Lamps::sample(const dvec3& place, double choice, const
   const auto chosen =
       std::upper_bound(lamps_.begin(), lamps_.end() - 1, choice,
                        [](double value, const Lamp& lamp) { return value < lamp.cumulative; });
+  if (chosen->environment) {
+    const dvec3 direction = plan_.environment->sample(u);
+    const double density = chosen->chance * plan_.environment->density(direction);
+    if (!(density > 0.0)) return std::nullopt;
+    return LampSample{direction,      std::numeric_limits<double>::infinity(),
+                      density,        1.0 / density,
+                      chosen->source, true};
+  }
   if (chosen->disc) {
     const double density = chosen->chance * chosen->disc->density();
     return LampSample{chosen->disc->sample(u), std::numeric_limits<double>::infinity(), density,
@@ -132,8 +157,8 @@ double Lamps::density(const dvec3& place, const Hit& hit) const {
                     *lamp.surface);
 }
 
-void Lamps::add_sky(const dvec3& direction, double density, const float* throughput, int first,
-                    int last, RadianceSums& sums) const {
+void Lamps::add_sky(const dvec3& direction, double density, float* throughput, int first, int last,
+                    RadianceSums& sums) const {
   sums.add(Plan::kBackground, throughput, ones_, 1.0f, first, last);
   const auto weight = [&](double lamp_density) {
     return density > 0.0 ? density / (density + lamp_density) : 1.0;
@@ -144,6 +169,12 @@ void Lamps::add_sky(const dvec3& direction, double density, const float* through
     const double part = sun.radiance * weight(sun.chance * sun.disc->density());
     sums.add(sun.source, throughput, ones_, static_cast<float>(part), first, last);
   }
+  if (environment_ < 0) return;
+  const Lamp& environment = lamps_[static_cast<std::size_t>(environment_)];
+  const double part =
+      density > 0.0 ? weight(environment.chance * plan_.environment->density(direction)) : 1.0;
+  plan_.environment->scale(direction, first, last, throughput);
+  sums.add(environment.source, throughput, ones_, static_cast<float>(part), first, last);
 }
 
 } // namespace abbe

@@ -20,7 +20,8 @@ struct LampSample {
   /// Factor on the source's spectrum: radiance over density; for lamps without extent irradiance
   /// at normal incidence over the chance of having chosen this lamp.
   double weight = 0.0;
-  int source = 0; ///< index into Plan::sources
+  int source = 0;           ///< index into Plan::sources
+  bool environment = false; ///< the picture's colour of this direction counts too
 };
 
 /// Everything that can be aimed at to light a place: the scene's lights, and shapes whose finish
@@ -43,10 +44,16 @@ public:
   /// to an emitting surface that a ray met. 0 for surfaces that are not aimed at.
   [[nodiscard]] double density(const dvec3& place, const Hit& hit) const;
 
-  /// Adds what a ray sees that leaves the scene along a unit direction: the background, and the
-  /// discs of suns, each weighed against `sample` where the ray was spread with this density per
-  /// steradian (0: it was not).
-  void add_sky(const dvec3& direction, double density, const float* throughput, int first, int last,
+  /// Multiplies the light of a sample per band by what is not in its weight and its source: the
+  /// colour of an environment.
+  void tint(const LampSample& lamp, int first, int last, float* light) const {
+    if (lamp.environment) plan_.environment->scale(lamp.direction, first, last, light);
+  }
+
+  /// Adds what a ray sees that leaves the scene along a unit direction: the background, the discs
+  /// of suns, and the environment, each weighed against `sample` where the ray was spread with this
+  /// density per steradian (0: it was not). The ray ends there: its throughput is changed.
+  void add_sky(const dvec3& direction, double density, float* throughput, int first, int last,
                RadianceSums& sums) const;
 
 private:
@@ -56,6 +63,7 @@ private:
     bool solid = false;                    ///< the shape gives light off outwards only
     std::optional<Cone> disc;              ///< of a sun
     double radiance = 0.0;                 ///< of that disc, per unit of the spectrum
+    bool environment = false;
     int source = 0;
     double power = 0.0;
     double chance = 0.0;     ///< of being chosen
@@ -63,6 +71,7 @@ private:
   };
   void add_lights();
   void add_shapes();
+  void add_environment();
   void share_chances();
   [[nodiscard]] std::optional<LampSample> sample_light(const Lamp& lamp, const dvec3& place) const;
 
@@ -71,6 +80,7 @@ private:
   BandTable ones_;
   std::vector<Lamp> lamps_;
   std::vector<int> suns_;          ///< the lamps that are suns
+  int environment_ = -1;           ///< the lamp that is the environment
   std::vector<int> lamp_of_shape_; ///< by ShapeId; negative: none
 };
 

@@ -46,6 +46,8 @@ constexpr Permission kPermissions[] = {
     {"io/", "glm/"},
     {"io/", "fmt/"},
     {"io/command_line.cpp", "CLI/"},
+    {"io/read_environment.cpp", "OpenEXR/"},
+    {"io/read_environment.cpp", "Imath/"}, // a part of OpenEXR
     {"io/read_mesh.cpp", "assimp/"},
     {"io/write_exr.cpp", "OpenEXR/"},
     {"io/write_exr.cpp", "Imath/"}, // a part of OpenEXR
