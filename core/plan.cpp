@@ -1,6 +1,7 @@
 #include "core/plan.h"
 
 #include "core/lights/emission.h"
+#include "core/lights/sampled_surface.h"
 #include "core/plan_extent.h"
 #include "core/plan_lines.h"
 #include "core/plan_tiles.h"
@@ -207,6 +208,21 @@ void plan_caustics(const Scene& scene, Plan& plan) {
                              "passes");
 }
 
+/// Paths find light that is not aimed at too, but with more noise.
+void note_lamps_met_by_chance(const Scene& scene, Plan& plan) {
+  if (plan.settings.integrator != Integrator::path) return;
+  const auto count =
+      std::count_if(scene.shapes.begin(), scene.shapes.end(), [&](const PlacedShape& placed) {
+        return placed.material.valid() && !can_sample_surface(placed.shape) &&
+               plan.materials[placed.material.index()].emission_source >= 0;
+      });
+  if (count > 0)
+    plan.notes.push_back(
+        fmt::format("{} {} by chance alone, since only squares, discs, spheres, "
+                    "boxes and meshes can be aimed at",
+                    count, count == 1 ? "shining shape is met" : "shining shapes are met"));
+}
+
 void note_content(const Scene& scene, Plan& plan) {
   const auto count = [](std::size_t n, const char* one, const char* many) {
     return fmt::format("{} {}", n, n == 1 ? one : many);
@@ -231,6 +247,11 @@ void note_content(const Scene& scene, Plan& plan) {
   if (settings.noise > 0.0)
     plan.notes.push_back(
         fmt::format("each tile ends at an estimated relative error of {}", settings.noise));
+  if (scene.environment)
+    plan.notes.push_back(fmt::format("the environment is a picture of {} x {} pixels{}",
+                                     scene.environment->width, scene.environment->height,
+                                     plan.environment ? "" : ", all black"));
+  note_lamps_met_by_chance(scene, plan);
   for (const Medium& medium : scene.media)
     if (!is_achromatic(medium.index))
       plan.notes.push_back(
@@ -276,6 +297,10 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
   for (const Light& light : scene.lights)
     sources.add(light.spectrum);
   plan_materials(scene, plan, sources);
+  if (scene.environment) {
+    plan.environment = EnvironmentMap::make(*scene.environment, table_wavelengths(plan));
+    if (plan.environment) plan.environment_source = sources.add(scene.environment->light);
+  }
   plan_media(scene, plan);
   find_live_bands(plan);
 

@@ -2,6 +2,7 @@
 
 #include "core/band_table.h"
 #include "core/index_table.h"
+#include "core/lights/environment_map.h"
 #include "core/materials/texture_plan.h"
 #include "core/scene.h"
 #include "geometry/ray_state.h"
@@ -82,6 +83,8 @@ struct Plan {
   std::vector<std::vector<SpectralLine>> lines; ///< by band; see lines_of_bands
   std::vector<SourcePlan> sources; ///< background, ambient light, the lamps, emitting materials
   std::vector<AccumulatorPlan> accumulators;
+  std::optional<EnvironmentMap> environment;
+  int environment_source = -1;         ///< index into sources, of its light
   std::vector<MaterialPlan> materials; ///< by MaterialId
   TexturePlans textures;
   std::vector<MediumPlan> media; ///< by MediumId

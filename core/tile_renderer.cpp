@@ -14,7 +14,7 @@ std::unique_ptr<CameraIntegrator> make_integrator(const Scene& scene, const Plan
                                                   double pixel_angle) {
   if (plan.settings.integrator == Integrator::path)
     return std::make_unique<Path>(plan, world, lamps, light_passes, pixel_angle);
-  return std::make_unique<Whitted>(scene, plan, world, pixel_angle);
+  return std::make_unique<Whitted>(scene, plan, world, lamps, pixel_angle);
 }
 
 } // namespace

@@ -89,7 +89,7 @@ concept Sampled = requires(const S& shape) {
 
 } // namespace
 
-bool can_sample_surface(const Shape& shape) {
+bool has_sampled_points(const Shape& shape) {
   return std::visit([]<class S>(const S&) { return Sampled<S>; }, shape);
 }
 

@@ -98,6 +98,12 @@ void check_pushes(const SceneState& state) {
 
 } // namespace
 
+bool name_follows(const Arguments& arguments) {
+  const Token& token = arguments.reader().peek();
+  return token.kind == TokenKind::quoted ||
+         (token.kind == TokenKind::word && !arguments.number_follows() && !find_keyword(token));
+}
+
 void read_statement(SceneState& state, TokenReader& reader) {
   if (state.boolean) check_operands(state, reader.peek());
   const Token token = reader.next();

@@ -31,6 +31,7 @@ struct CurrentLight {
   Falloff falloff = Falloff::none;
   double intensity = 1.0;
   double soft_edge_deg = 0.0;
+  double sun_radius = SunLight().angular_radius;
 };
 
 /// A transform that waits for its `pop`.
@@ -109,6 +110,10 @@ struct SceneKeyword {
 [[nodiscard]] std::span<const SceneKeyword> lens_keywords();
 [[nodiscard]] std::span<const SceneKeyword> boolean_keywords();
 [[nodiscard]] std::span<const SceneKeyword> macro_keywords();
+
+/// True when the token can be a name that may be left out: neither a keyword nor a number, unless
+/// it is quoted.
+[[nodiscard]] bool name_follows(const Arguments& arguments);
 
 /// Reads one keyword with its arguments; for a boolean also its operands.
 void read_statement(SceneState& state, TokenReader& reader);

@@ -19,10 +19,11 @@ constexpr double kSurePart = 1.0 / 8.0;
 
 } // namespace
 
-Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, double pixel_angle)
-    : scene_(scene), plan_(plan), world_(world), wavelengths_(plan), fan_(plan, world, pixel_angle),
-      shadow_rays_(plan, world), ones_(1.0f, plan.grid.count()), textured_(0.0f, plan.grid.count()),
-      throughput_(plan.stride), lit_(plan.stride) {
+Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
+                 double pixel_angle)
+    : scene_(scene), plan_(plan), world_(world), lamps_(lamps), wavelengths_(plan),
+      fan_(plan, world, pixel_angle), shadow_rays_(plan, world), ones_(1.0f, plan.grid.count()),
+      textured_(0.0f, plan.grid.count()), throughput_(plan.stride), lit_(plan.stride) {
   scatter_.reflected.resize(plan.stride);
   scatter_.transmitted.resize(plan.stride);
 }
@@ -66,7 +67,8 @@ void Whitted::trace(const RayState& camera_ray, const std::optional<Hit>& hit,
 void Whitted::add_background(const Bundle& bundle, RadianceSums& sums) {
   absorb(plan_.medium(world_.medium_of(bundle.state.nesting)), kInfinity, bundle.first, bundle.last,
          throughput_.data());
-  sums.add(Plan::kBackground, throughput_.data(), ones_, 1.0f, bundle.first, bundle.last);
+  lamps_.add_sky(bundle.state.ray.direction, 0.0, true, throughput_.data(), bundle.first,
+                 bundle.last, sums);
 }
 
 void Whitted::shade(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,

@@ -3,6 +3,7 @@
 #include "core/fan.h"
 #include "core/integrators/integrator.h"
 #include "core/integrators/shadow.h"
+#include "core/lights/lamps.h"
 #include "core/materials/dielectric.h"
 
 #include <vector>
@@ -14,7 +15,9 @@ namespace abbe {
 /// rays.
 class Whitted final : public CameraIntegrator {
 public:
-  Whitted(const Scene& scene, const Plan& plan, const World& world, double pixel_angle);
+  /// Keeps references to all.
+  Whitted(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
+          double pixel_angle);
 
   void trace(const RayState& camera_ray, const std::optional<Hit>& hit, const Sampler& sampler,
              RadianceSums& sums, RayCounts& counts) override;
@@ -40,6 +43,7 @@ private:
   const Scene& scene_;
   const Plan& plan_;
   const World& world_;
+  const Lamps& lamps_; ///< of which only the sky is seen
   PathWavelengths wavelengths_;
   Fan fan_;
   ShadowRays shadow_rays_;

@@ -1,5 +1,6 @@
 #include "core/materials/scattering.h"
 
+#include "core/lights/cone.h"
 #include "core/materials/conductor.h"
 
 #include <algorithm>
@@ -19,16 +20,10 @@ double brought(const float* throughput, const float* factors, int first, int las
   return static_cast<double>(sum);
 }
 
-/// A direction with density cos / pi about z, by projecting a disc of concentric rings up
-/// [Shirley97].
+/// A direction with density cos / pi about z, by projecting a disc up.
 dvec3 cosine_direction(const dvec2& u) {
-  const dvec2 d = 2.0 * u - 1.0;
-  if (d.x == 0.0 && d.y == 0.0) return {0.0, 0.0, 1.0};
-  const bool by_x = std::abs(d.x) > std::abs(d.y);
-  const double radius = by_x ? d.x : d.y;
-  const double angle = by_x ? kPi / 4.0 * (d.y / d.x) : kPi / 2.0 - kPi / 4.0 * (d.x / d.y);
-  return {radius * std::cos(angle), radius * std::sin(angle),
-          std::sqrt(std::max(0.0, 1.0 - radius * radius))};
+  const dvec2 p = disc_point(u);
+  return {p.x, p.y, std::sqrt(std::max(0.0, 1.0 - glm::dot(p, p)))};
 }
 
 } // namespace

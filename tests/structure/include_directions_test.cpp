@@ -48,6 +48,8 @@ constexpr Permission kPermissions[] = {
     {"io/", "glm/"},
     {"io/", "fmt/"},
     {"io/command_line.cpp", "CLI/"},
+    {"io/read_environment.cpp", "OpenEXR/"},
+    {"io/read_environment.cpp", "Imath/"}, // a part of OpenEXR
     {"io/read_mesh.cpp", "assimp/"},
     {"io/read_exr.cpp", "OpenEXR/"},
     {"io/read_exr.cpp", "Imath/"},
