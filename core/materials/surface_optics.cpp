@@ -1,0 +1,45 @@
+#include "core/materials/surface_optics.h"
+
+#include "core/materials/conductor.h"
+#include "core/materials/fresnel.h"
+#include "core/materials/thin_film.h"
+
+namespace abbe {
+
+Fractions SurfaceOptics::fractions(int b, double cos_i) const {
+  const bool film_shows = film.thickness_nm > 0.0;
+  if (metal_n) {
+    if (!fresnel) return {1.0, 0.0};
+    const double reflected =
+        film_shows ? thin_film_reflectance(cos_i, n_before[b], film.index[b],
+                                           {metal_n[b], -static_cast<double>(metal_k[b])},
+                                           film.thickness_nm, film.lambda_nm[b])
+                   : conductor_reflectance(cos_i, n_before[b], metal_n[b], metal_k[b]);
+    return {reflected, 0.0};
+  }
+  const double eta = n_after[b] / n_before[b];
+  const auto cos_t = refracted_cosine(cos_i, eta);
+  if (!cos_t) return {1.0, 0.0};
+  if (!fresnel) return {1.0, 1.0};
+  const double reflected =
+      film_shows ? thin_film_reflectance(cos_i, n_before[b], film.index[b], n_after[b],
+                                         film.thickness_nm, film.lambda_nm[b])
+                 : fresnel_reflectance(cos_i, *cos_t, eta);
+  return {reflected, 1.0 - reflected};
+}
+
+bool SurfaceOptics::alike(int first, int last) const {
+  if (film.thickness_nm > 0.0) return last - first <= 1;
+  bool same = true;
+  for (int b = first; b < last; ++b)
+    same &= n_before[b] == n_before[first];
+  if (metal_n)
+    for (int b = first; b < last; ++b)
+      same &= metal_n[b] == metal_n[first] && metal_k[b] == metal_k[first];
+  else
+    for (int b = first; b < last; ++b)
+      same &= n_after[b] == n_after[first];
+  return same;
+}
+
+} // namespace abbe
