@@ -8,8 +8,8 @@
 namespace abbe {
 namespace {
 
-/// 2 times the integral of F(mu) mu, by the two points of Gauss's rule for the weight mu on
-/// [0, 1] [Abramowitz64, 25.4.33].
+/// 2 times the integral of F(mu) mu, to about 1 %, by the two points of Gauss's rule for the weight
+/// mu on [0, 1] [Abramowitz64, 25.4.33].
 double mean_reflectance(const SurfaceOptics& optics, int band) {
   const double root6 = std::sqrt(6.0);
   return (0.5 - root6 / 18.0) * optics.fractions(band, 0.6 - 0.1 * root6).reflected +

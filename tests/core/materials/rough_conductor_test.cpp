@@ -153,6 +153,26 @@ TEST_CASE("what coloured metal returns after several facets is darker and more s
   CHECK((all[0] - one[0]) / (all[1] - one[1]) < one[0] / one[1]);
 }
 
+TEST_CASE("light from several facets is a sum over the number of reflections") {
+  // Of what one reflection keeps, each further one lets the mean albedo E go and the metal's mean
+  // reflectance F dims it: F^2 E + F^3 (1 - E) E + ..., beside F = 1 which gives all.
+  const Metal metal;
+  const Ggx ggx = Ggx::from_roughness(1.0);
+  const GgxAlbedo albedo(ggx);
+  const dvec3 wo = direction(0.7, 0.0), wi = direction(0.5, 2.0);
+  const auto several = [&](const SurfaceOptics& optics) {
+    return evaluate({ggx, &albedo}, optics, wo, wi) - evaluate({ggx}, optics, wo, wi);
+  };
+  double mean = 0.0;
+  for (int i = 0; i < 1000; ++i)
+    mean += conductor_reflectance(std::sqrt((i + 0.5) / 1000), 1.0, 1.38f, 1.91f) / 1000;
+  double sum = 0.0, kept = mean * mean;
+  for (int i = 0; i < 100; ++i, kept *= mean * (1.0 - albedo.mean()))
+    sum += kept * albedo.mean();
+  // The surface takes the mean reflectance by two points of Gauss's rule: 1 % of it here.
+  CHECK(several(metal.optics()) / several(metal.optics(false)) == Approx(sum).epsilon(0.03));
+}
+
 TEST_CASE("rough metal: bands, dead bands, reflectivity, the wrong side") {
   const Metal metal;
   SurfaceOptics optics = metal.optics();
