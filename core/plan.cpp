@@ -2,6 +2,7 @@
 
 #include "core/plan_extent.h"
 #include "core/plan_lines.h"
+#include "core/plan_surfaces.h"
 #include "core/plan_tiles.h"
 #include "spectral/observer.h"
 
@@ -97,6 +98,7 @@ void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
       m.metal_n = table(material.metal->n);
       m.metal_k = table(material.metal->k);
     }
+    plan_surface(material, m, plan);
     m.dielectric = !m.transparency.zero();
     m.reflects = largest(m.reflectivity) > static_cast<float>(settings.min_reflectivity);
     m.transmits = largest(m.transparency) > static_cast<float>(settings.min_transparency);
@@ -228,6 +230,7 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
   plan.tiles = make_tiles(scene, plan.window, settings);
   plan.quantum = film_quantum(scene, plan.grid, settings.observer);
   note_content(scene, plan);
+  note_surfaces(plan);
   return plan;
 }
 

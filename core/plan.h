@@ -24,6 +24,10 @@ struct MaterialPlan {
   float specular_exponent = 1.0f;
   bool fresnel = true;
   BandTable metal_n, metal_k; ///< of a conductor
+  double roughness = 0.0;     ///< see Material::roughness
+  bool compensation = true;
+  double film_nm = 0.0;     ///< thickness of the thin film
+  int film = -1, coat = -1; ///< indices into Plan::layers; negative: there is none
   bool conductor = false;
   bool dielectric = false; ///< lets light in, so reflection too goes by its index
   bool reflects = false, transmits = false, lit = false; ///< what paths follow
@@ -65,6 +69,7 @@ struct Plan {
   std::vector<MaterialPlan> materials; ///< by MaterialId
   std::vector<MediumPlan> media;       ///< by MediumId
   MediumPlan vacuum;
+  std::vector<IndexTable> layers; ///< of thin films and coats
 
   PixelWindow window; ///< what is rendered
   std::vector<Tile> tiles;

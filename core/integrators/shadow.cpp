@@ -2,6 +2,7 @@
 
 #include "core/integrators/absorption.h"
 #include "core/materials/dielectric.h"
+#include "core/materials/material_optics.h"
 
 #include <algorithm>
 
@@ -39,8 +40,14 @@ bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
     const MaterialPlan& material = plan_.materials[hit->material.index()];
     if (!material.transmits) return false;
     const double cos_i = std::min(1.0, std::abs(glm::dot(hit->normal, state.ray.direction)));
-    attenuate_straight(material, cos_i, wavelengths.indices(hit->medium_before),
-                       wavelengths.indices(hit->medium_after), first, last, transmittance_.data());
+    if (material.film >= 0)
+      attenuate_straight(
+          material_optics(material, hit->medium_before, hit->medium_after, wavelengths), cos_i,
+          first, last, transmittance_.data());
+    else
+      attenuate_straight(material, cos_i, wavelengths.indices(hit->medium_before),
+                         wavelengths.indices(hit->medium_after), first, last,
+                         transmittance_.data());
     state.ray.origin = hit->point;
     state.contacts = hit->other_side;
     state.nesting = hit->nesting_after;

@@ -4,6 +4,8 @@
 #include "core/materials/fresnel.h"
 #include "core/materials/thin_film.h"
 
+#include <utility>
+
 namespace abbe {
 
 Fractions SurfaceOptics::fractions(int b, double cos_i) const {
@@ -26,6 +28,29 @@ Fractions SurfaceOptics::fractions(int b, double cos_i) const {
                                          film.thickness_nm, film.lambda_nm[b])
                  : fresnel_reflectance(cos_i, *cos_t, eta);
   return {reflected, 1.0 - reflected};
+}
+
+void scatter_smooth(const SurfaceOptics& optics, double cos_i, int first, int last,
+                    float* reflected, float* transmitted) {
+  for (int b = first; b < last; ++b) {
+    const Fractions f = optics.fractions(b, cos_i);
+    if (reflected) reflected[b] = static_cast<float>(f.reflected * optics.reflection_scale(b));
+    if (!transmitted) continue;
+    const double ratio = optics.n_before[b] / optics.n_after[b];
+    transmitted[b] =
+        static_cast<float>(f.transmitted * ratio * ratio * optics.transmission_scale(b));
+  }
+}
+
+void attenuate_straight(const SurfaceOptics& optics, double cos_i, int first, int last,
+                        float* transmittance) {
+  SurfaceOptics reversed = optics;
+  std::swap(reversed.n_before, reversed.n_after);
+  for (int b = first; b < last; ++b) {
+    const SurfaceOptics& thin_first = optics.n_before[b] <= optics.n_after[b] ? optics : reversed;
+    transmittance[b] *= static_cast<float>(thin_first.fractions(b, cos_i).transmitted *
+                                           optics.transmission_scale(b));
+  }
 }
 
 bool SurfaceOptics::alike(int first, int last) const {

@@ -37,6 +37,16 @@ struct SurfaceOptics {
   [[nodiscard]] bool alike(int first, int last) const;
 };
 
+/// What a smooth boundary does to radiance at one angle: fills [first, last) of `reflected` and
+/// `transmitted`, the latter with (n_before / n_after)^2. Null where it is not asked for.
+void scatter_smooth(const SurfaceOptics& optics, double cos_i, int first, int last,
+                    float* reflected, float* transmitted);
+
+/// The transmittance for the thesis's attenuated shadow ray, which goes straight on, multiplied
+/// into [first, last); the angle is taken in the thinner medium.
+void attenuate_straight(const SurfaceOptics& optics, double cos_i, int first, int last,
+                        float* transmittance);
+
 /// The bands of a bundle: [first, last) where `live` is not 0; all of them where it is null. Dead
 /// bands carry no power and so take no part in random decisions.
 struct BandSet {
