@@ -38,8 +38,12 @@ const char* name(RayKind kind) {
     return "reflected";
   case RayKind::refracted:
     return "refracted";
+  case RayKind::spread:
+    return "spread";
   case RayKind::shadow:
     return "shadow";
+  case RayKind::light:
+    return "light";
   }
   return "";
 }

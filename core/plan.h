@@ -3,6 +3,7 @@
 #include "core/band_table.h"
 #include "core/index_table.h"
 #include "core/scene.h"
+#include "geometry/ray_state.h"
 #include "spectral/color.h"
 
 #include <cstdint>
@@ -31,7 +32,15 @@ struct MaterialPlan {
   bool conductor = false;
   bool dielectric = false; ///< lets light in, so reflection too goes by its index
   bool reflects = false, transmits = false, lit = false; ///< what paths follow
+  bool emits_behind = true;
   int emission_source = -1; ///< index into Plan::sources; negative: emits nothing
+
+  /// True when some light goes on along the one reflected or refracted ray.
+  [[nodiscard]] bool specular_part() const { return reflects || transmits; }
+  /// True when a ray that meets the surface sees light that it gives off.
+  [[nodiscard]] bool emits(const Hit& hit) const {
+    return emission_source >= 0 && (hit.entering || emits_behind);
+  }
 };
 
 /// A medium at the bands.
@@ -74,6 +83,8 @@ struct Plan {
   PixelWindow window; ///< what is rendered
   std::vector<Tile> tiles;
   double quantum = 1.0; ///< of the film's sums
+
+  bool caustics = false; ///< light-side passes have something to do
 
   std::vector<std::string> notes; ///< what was found and what is left out, for people
 

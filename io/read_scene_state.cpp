@@ -12,10 +12,10 @@ namespace {
 
 // A member added to the struct does not compile here until it is added to the comparison.
 auto members(const Material& m) {
-  const auto& [name, ambient, diffuse, specular, emission, exponent, reflectivity, transparency,
-               fresnel, metal, roughness, compensation, film, coat] = m;
-  return std::tie(name, ambient, diffuse, specular, emission, exponent, reflectivity, transparency,
-                  fresnel, metal, roughness, compensation, film, coat);
+  const auto& [name, ambient, diffuse, specular, emission, emits_behind, exponent, reflectivity,
+               transparency, fresnel, metal, roughness, compensation, film, coat] = m;
+  return std::tie(name, ambient, diffuse, specular, emission, emits_behind, exponent, reflectivity,
+                  transparency, fresnel, metal, roughness, compensation, film, coat);
 }
 
 auto members(const Medium& m) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/materials/transport.h"
 #include "core/plan.h"
 
 namespace abbe {
@@ -12,9 +13,10 @@ struct DielectricScatter {
 
 /// Fills [first, last) of `scatter`. `n_before` and `n_after` are indices per band on the side of
 /// the camera and behind the boundary. Radiance that comes through is scaled by
-/// (n_before / n_after)^2, since a pencil of rays changes its solid angle there.
+/// (n_before / n_after)^2, since a pencil of rays changes its solid angle there; flux is not.
 void scatter_dielectric(const MaterialPlan& material, double cos_i, const double* n_before,
-                        const double* n_after, int first, int last, DielectricScatter& scatter);
+                        const double* n_after, int first, int last, DielectricScatter& scatter,
+                        Transport transport = Transport::radiance);
 
 /// The transmittance of a boundary for the thesis's attenuated shadow ray, which goes straight on;
 /// multiplied into [first, last) of `transmittance`. The angle is taken in the thinner medium, so

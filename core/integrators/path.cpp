@@ -1,0 +1,126 @@
+#include "core/integrators/path.h"
+
+#include "core/integrators/absorption.h"
+
+#include <algorithm>
+
+namespace abbe {
+
+Path::Path(const Plan& plan, const World& world, const Lamps& lamps,
+           const LightPasses* light_passes, double pixel_angle)
+    : BundleWalk(plan, world, pixel_angle, Transport::radiance), lamps_(lamps),
+      photons_(light_passes ? &light_passes->map() : nullptr),
+      emission_(light_passes ? &light_passes->emission() : nullptr), shadow_rays_(plan, world),
+      light_(plan.stride) {}
+
+void Path::trace(const RayState& camera_ray, const std::optional<Hit>& hit, const Sampler& sampler,
+                 RadianceSums& sums, RayCounts& counts) {
+  begin(sampler, counts);
+  sums_ = &sums;
+  bundle_ = Bundle{};
+  bundle_.first = plan_.first_band;
+  bundle_.last = plan_.last_band;
+  bundle_.state = camera_ray;
+  bundle_.hit = hit;
+  std::copy(plan_.live.begin(), plan_.live.end(), throughput_.begin());
+  do
+    follow();
+  while (resume());
+}
+
+void Path::follow() {
+  do
+    gather();
+  while (bundle_.hit && bundle_.depth < plan_.settings.max_depth && go_on());
+}
+
+void Path::gather() {
+  const int first = bundle_.first, last = bundle_.last;
+  if (!bundle_.hit) {
+    absorb(plan_.medium(world_.medium_of(bundle_.state.nesting)), kInfinity, first, last,
+           throughput_.data());
+    sums_->add(Plan::kBackground, throughput_.data(), ones_, 1.0f, first, last);
+    return;
+  }
+  const Hit& hit = *bundle_.hit;
+  absorb(plan_.medium(hit.medium_before), hit.t, first, last, throughput_.data());
+  const MaterialPlan& material = plan_.materials[hit.material.index()];
+  if (!material.emits(hit) || found_by_light_paths(hit)) return;
+  double weight = 1.0;
+  if (bundle_.density > 0.0)
+    weight = bundle_.density / (bundle_.density + lamps_.density(bundle_.state.ray.origin, hit));
+  sums_->add(material.emission_source, throughput_.data(), ones_, static_cast<float>(weight), first,
+             last);
+}
+
+/// Light-side passes follow what leaves a lamp, goes by mirrors and glass and is then spread.
+bool Path::found_by_light_paths(const Hit& emitting) const {
+  return emission_ && bundle_.spread && bundle_.density == 0.0 && emission_->emits(emitting.shape);
+}
+
+bool Path::go_on() {
+  const Hit& hit = *bundle_.hit;
+  const MaterialPlan& material = plan_.materials[hit.material.index()];
+  scattering_.prepare(material, hit, bundle_.state.ray.direction, bundle_.first, bundle_.last,
+                      throughput_.data(), wavelengths_);
+  if (scattering_.spreads()) {
+    if (!lamps_.empty()) aim_at_a_lamp(hit);
+    // What the camera sees directly gets its caustics by splats.
+    if (photons_ && (bundle_.depth > 0 || !photons_->splatted())) look_up_photons(hit);
+  }
+  const Scattering::Choice choice =
+      scattering_.choose(scattering_.certain() ? 0.0 : numbers(kScatter).x);
+  switch (choice.kind) {
+  case ScatterKind::none:
+    return false;
+  case ScatterKind::reflect:
+    return reflect(choice.chance);
+  case ScatterKind::refract:
+    return refract(choice.chance);
+  case ScatterKind::spread:
+    break;
+  }
+  const auto direction = scattering_.sample(numbers(kDirection));
+  if (!direction) return false;
+  const double density = scattering_.evaluate(*direction, light_.data());
+  return density > 0.0 && spread(*direction, light_.data(), density);
+}
+
+void Path::aim_at_a_lamp(const Hit& hit) {
+  const double choice = lamps_.single() ? 0.0 : numbers(kLamp).x;
+  const auto lamp = lamps_.sample(hit.point, choice, numbers(kLampPoint));
+  if (!lamp) return;
+  const int first = bundle_.first, last = bundle_.last;
+  const double density = scattering_.evaluate(lamp->direction, light_.data());
+  if (!(density > 0.0)) return;
+  const bool outwards = glm::dot(lamp->direction, hit.normal) > 0.0;
+  const bool through = outwards != hit.entering;
+  const RayState towards_lamp{{hit.point, lamp->direction},
+                              through ? hit.other_side : hit.same_side,
+                              through ? hit.nesting_after : hit.nesting_before};
+  const float* arriving =
+      shadow_rays_.transmittance(towards_lamp, lamp->distance, first, last, wavelengths_, *counts_);
+  if (!arriving) return;
+  double weight = lamp->weight;
+  if (lamp->density > 0.0) weight *= lamp->density / (lamp->density + density);
+  for (int b = first; b < last; ++b)
+    light_[static_cast<std::size_t>(b)] *= throughput_[static_cast<std::size_t>(b)] * arriving[b];
+  sums_->add(lamp->source, light_.data(), ones_, static_cast<float>(weight), first, last);
+}
+
+void Path::look_up_photons(const Hit& hit) {
+  photons_->for_each_near(hit, [&](const Photon& photon, const float* flux) {
+    const int first = std::max(bundle_.first, photon.first);
+    const int last = std::min(bundle_.last, photon.last);
+    if (first >= last) return;
+    const double cosine = std::abs(glm::dot(photon.direction, hit.normal));
+    if (!(scattering_.evaluate(-photon.direction, light_.data()) > 0.0)) return;
+    for (int b = first; b < last; ++b)
+      light_[static_cast<std::size_t>(b)] *=
+          throughput_[static_cast<std::size_t>(b)] * flux[b - photon.first];
+    sums_->add(photon.source, light_.data(), ones_,
+               static_cast<float>(photons_->density_factor() / cosine), first, last);
+  });
+}
+
+} // namespace abbe

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/integrators/bundle_walk.h"
+#include "core/integrators/integrator.h"
+#include "core/integrators/shadow.h"
+#include "core/light_pass.h"
+#include "core/lights/lamps.h"
+
+#include <vector>
+
+namespace abbe {
+
+/// Global illumination by random paths from the camera [Kajiya86], per band, for whole bundles of
+/// bands: one way on from each surface, lamps aimed at wherever light is spread, both ways of
+/// reaching a lamp weighed against each other [Veach97], and paths that carry little ended at
+/// random. Unbiased at a fixed number of samples.
+///
+/// With light-side passes, light that reaches a spreading surface through glass or by mirrors comes
+/// from the photon map, and camera paths leave it out; see docs/decisions/caustics.md.
+class Path final : public CameraIntegrator, private BundleWalk {
+public:
+  /// Keeps references to all. `light_passes` is null where there are none.
+  Path(const Plan& plan, const World& world, const Lamps& lamps, const LightPasses* light_passes,
+       double pixel_angle);
+
+  void trace(const RayState& camera_ray, const std::optional<Hit>& hit, const Sampler& sampler,
+             RadianceSums& sums, RayCounts& counts) override;
+
+private:
+  /// Follows the current bundle to its end; sub-bundles that part from it wait.
+  void follow();
+  /// Adds what the bundle sees by itself: the background, or light that a surface emits.
+  void gather();
+  /// Makes the bundle go on from its hit. False where it ends.
+  bool go_on();
+  void aim_at_a_lamp(const Hit& hit);
+  void look_up_photons(const Hit& hit);
+  [[nodiscard]] bool found_by_light_paths(const Hit& emitting) const;
+
+  const Lamps& lamps_;
+  const PhotonMap* photons_;
+  const Emission* emission_;
+  ShadowRays shadow_rays_;
+  RadianceSums* sums_ = nullptr;
+  std::vector<float> light_; ///< scratch: what one source gives
+};
+
+} // namespace abbe
