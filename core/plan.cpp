@@ -263,6 +263,7 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
         fmt::format("the crop {},{},{},{} is not a part of the {} x {} image", plan.window.x0,
                     plan.window.y0, plan.window.x1, plan.window.y1, full.x1, full.y1));
   plan.tiles = make_tiles(scene, plan.window, settings);
+  plan_albedos(plan);
   plan_caustics(scene, plan);
   plan.quantum = film_quantum(scene, plan.grid, settings.observer);
   note_content(scene, plan);

@@ -2,11 +2,13 @@
 
 #include "core/band_table.h"
 #include "core/index_table.h"
+#include "core/materials/albedo_table.h"
 #include "core/scene.h"
 #include "geometry/ray_state.h"
 #include "spectral/color.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +29,9 @@ struct MaterialPlan {
   BandTable metal_n, metal_k; ///< of a conductor
   double roughness = 0.0;     ///< see Material::roughness
   bool compensation = true;
-  double film_nm = 0.0;     ///< thickness of the thin film
+  std::optional<GgxAlbedo> mirror_albedo;       ///< of a rough surface with compensation
+  std::optional<DielectricAlbedo> glass_albedo; ///< the same, or of a rough coat
+  double film_nm = 0.0;                         ///< thickness of the thin film
   int film = -1, coat = -1; ///< indices into Plan::layers; negative: there is none
   bool conductor = false;
   bool dielectric = false; ///< lets light in, so reflection too goes by its index
@@ -36,7 +40,7 @@ struct MaterialPlan {
   int emission_source = -1; ///< index into Plan::sources; negative: emits nothing
 
   /// True when some light goes on along the one reflected or refracted ray.
-  [[nodiscard]] bool specular_part() const { return reflects || transmits; }
+  [[nodiscard]] bool specular_part() const { return roughness == 0.0 && (reflects || transmits); }
   /// True when a ray that meets the surface sees light that it gives off.
   [[nodiscard]] bool emits(const Hit& hit) const {
     return emission_source >= 0 && (hit.entering || emits_behind);

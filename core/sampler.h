@@ -49,6 +49,7 @@ enum SamplePurpose : std::uint32_t {
   kLamp = 10,          ///< x: which lamp
   kLampPoint = 11,     ///< a point on it
   kSurfaceChoice = 12, ///< x: which band of a stratum is kept, y: which of mixed materials
+  kLobe = 13,          ///< x: which way of a rough surface's scattering, y: by which band
   kPerSurface = 8,
 };
 

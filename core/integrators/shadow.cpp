@@ -40,6 +40,8 @@ bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
     if (!hit || hit->t >= distance) return true;
     const MaterialPlan& material = plan_.materials[hit->material.index()];
     if (!material.transmits) return false;
+    // The path tracer finds what comes through rough glass by scattering.
+    if (material.roughness > 0.0 && plan_.settings.integrator == Integrator::path) return false;
     const double cos_i = std::min(1.0, std::abs(glm::dot(hit->normal, state.ray.direction)));
     if (material.film >= 0)
       attenuate_straight(

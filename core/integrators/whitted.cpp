@@ -156,7 +156,8 @@ void Whitted::scatter(const Bundle& bundle, double choice, RayCounts& counts) {
   if (material.film >= 0 || material.coat >= 0) {
     const SurfaceOptics optics =
         material_optics(material, hit.medium_before, hit.medium_after, wavelengths_);
-    scatter_smooth(optics, cos_i, bundle.first, bundle.last, scatter_.reflected.data(),
+    scatter_smooth(optics, cos_i, bundle.first, bundle.last, Transport::radiance,
+                   scatter_.reflected.data(),
                    material.transmits ? scatter_.transmitted.data() : nullptr);
     if (material.reflects) reflect(bundle, scatter_.reflected.data(), counts);
     if (material.transmits) refract(bundle, choice, counts);

@@ -6,10 +6,11 @@ SurfaceOptics material_optics(const MaterialPlan& material, MediumId before, Med
                               PathWavelengths& wavelengths) {
   SurfaceOptics optics;
   optics.n_before = wavelengths.indices(before);
+  optics.opaque = !material.dielectric && material.coat < 0;
   if (material.conductor) {
     optics.metal_n = material.metal_n.data();
     optics.metal_k = material.metal_k.data();
-  } else {
+  } else if (!optics.opaque) {
     optics.n_after =
         material.coat >= 0 ? wavelengths.layer_indices(material.coat) : wavelengths.indices(after);
   }

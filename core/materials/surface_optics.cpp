@@ -10,8 +10,8 @@ namespace abbe {
 
 Fractions SurfaceOptics::fractions(int b, double cos_i) const {
   const bool film_shows = film.thickness_nm > 0.0;
-  if (metal_n) {
-    if (!fresnel) return {1.0, 0.0};
+  if (opaque && (!metal_n || !fresnel)) return {1.0, 0.0};
+  if (opaque) {
     const double reflected =
         film_shows ? thin_film_reflectance(cos_i, n_before[b], film.index[b],
                                            {metal_n[b], -static_cast<double>(metal_k[b])},
@@ -31,12 +31,13 @@ Fractions SurfaceOptics::fractions(int b, double cos_i) const {
 }
 
 void scatter_smooth(const SurfaceOptics& optics, double cos_i, int first, int last,
-                    float* reflected, float* transmitted) {
+                    Transport transport, float* reflected, float* transmitted) {
   for (int b = first; b < last; ++b) {
     const Fractions f = optics.fractions(b, cos_i);
-    if (reflected) reflected[b] = static_cast<float>(f.reflected * optics.reflection_scale(b));
+    reflected[b] = static_cast<float>(f.reflected * optics.reflection_scale(b));
     if (!transmitted) continue;
-    const double ratio = optics.n_before[b] / optics.n_after[b];
+    const double ratio =
+        transport == Transport::radiance ? optics.n_before[b] / optics.n_after[b] : 1.0;
     transmitted[b] =
         static_cast<float>(f.transmitted * ratio * ratio * optics.transmission_scale(b));
   }
@@ -58,7 +59,8 @@ bool SurfaceOptics::alike(int first, int last) const {
   bool same = true;
   for (int b = first; b < last; ++b)
     same &= n_before[b] == n_before[first];
-  if (metal_n)
+  if (opaque && !metal_n) return true;
+  if (opaque)
     for (int b = first; b < last; ++b)
       same &= metal_n[b] == metal_n[first] && metal_k[b] == metal_k[first];
   else

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/materials/transport.h"
+
 namespace abbe {
 
 /// A film on a boundary, at the bands.
@@ -18,7 +20,8 @@ struct Fractions {
 /// dielectric, or a metal where `metal_n` is given. Holds no memory of its own.
 struct SurfaceOptics {
   const double* n_before = nullptr; ///< index on the side of `wo`
-  const double* n_after = nullptr;  ///< index behind; not read for a metal
+  const double* n_after = nullptr;  ///< index behind; not read where nothing goes through
+  bool opaque = false;              ///< a metal, or a mirror that only reflects
   const float* metal_n = nullptr;   ///< complex index n - i k
   const float* metal_k = nullptr;
   FilmOptics film;
@@ -37,10 +40,11 @@ struct SurfaceOptics {
   [[nodiscard]] bool alike(int first, int last) const;
 };
 
-/// What a smooth boundary does to radiance at one angle: fills [first, last) of `reflected` and
-/// `transmitted`, the latter with (n_before / n_after)^2. Null where it is not asked for.
+/// What a smooth boundary does to light at one angle: fills [first, last) of `reflected` and
+/// `transmitted`, the latter with (n_before / n_after)^2 for radiance. The latter is null where it
+/// is not asked for.
 void scatter_smooth(const SurfaceOptics& optics, double cos_i, int first, int last,
-                    float* reflected, float* transmitted);
+                    Transport transport, float* reflected, float* transmitted);
 
 /// The transmittance for the thesis's attenuated shadow ray, which goes straight on, multiplied
 /// into [first, last); the angle is taken in the thinner medium.

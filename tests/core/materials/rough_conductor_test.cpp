@@ -18,6 +18,7 @@ struct Metal {
   [[nodiscard]] SurfaceOptics optics(bool fresnel = true) const {
     SurfaceOptics o;
     o.n_before = air;
+    o.opaque = true;
     o.metal_n = n;
     o.metal_k = k;
     o.fresnel = fresnel;

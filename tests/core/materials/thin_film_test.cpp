@@ -140,6 +140,7 @@ TEST_CASE("the optics of a surface, with and without film, per band") {
   const float n[] = {0.27f, 0.27f, 0.3f}, k[] = {2.9f, 2.9f, 2.0f};
   SurfaceOptics metal;
   metal.n_before = n_before;
+  metal.opaque = true;
   metal.metal_n = n;
   metal.metal_k = k;
   CHECK(metal.alike(0, 2));
