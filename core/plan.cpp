@@ -181,6 +181,9 @@ void plan_caustics(const Scene& scene, Plan& plan) {
   }
   const std::size_t emitters = Emission(scene, plan).emitters().size();
   plan.caustics = emitters > 0;
+  // Light that comes through glass is counted where it is bent to.
+  if (plan.caustics && plan.settings.shadows == ShadowRule::attenuated)
+    plan.settings.shadows = ShadowRule::opaque;
   plan.notes.push_back(emitters > 0
                            ? fmt::format("light-side passes: {} of the lamps shine on things that "
                                          "mirror or refract",

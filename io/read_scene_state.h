@@ -2,6 +2,7 @@
 
 #include "core/scene.h"
 #include "io/read_arguments.h"
+#include "io/read_mesh.h"
 #include "io/read_scene_libraries.h"
 #include "io/token.h"
 #include "spectral/color.h"
@@ -60,6 +61,7 @@ struct Macro {
 struct SceneState {
   Scene scene;
   SceneLibraries libraries;
+  MeshFiles meshes;
   Warn warn;
 
   Transform transform;
@@ -92,6 +94,7 @@ struct SceneKeyword {
 [[nodiscard]] std::span<const SceneKeyword> material_keywords();
 [[nodiscard]] std::span<const SceneKeyword> surface_keywords();
 [[nodiscard]] std::span<const SceneKeyword> light_keywords();
+[[nodiscard]] std::span<const SceneKeyword> light_path_keywords();
 [[nodiscard]] std::span<const SceneKeyword> shape_keywords();
 [[nodiscard]] std::span<const SceneKeyword> lens_keywords();
 [[nodiscard]] std::span<const SceneKeyword> boolean_keywords();

@@ -65,7 +65,7 @@ bool BundleWalk::survives(MediumId medium) {
   if (!(most > 0.0f)) return false;
   importance_ = static_cast<double>(most);
   if (transport_ == Transport::radiance && medium.valid()) {
-    const double n = wavelengths_.indices(medium)[first];
+    const double n = wavelengths_.indices(medium)[std::max(first, plan_.live_first)];
     importance_ *= n * n;
   }
   if (bundle_.depth < kSureSurfaces || importance_ >= 1.0) return true;

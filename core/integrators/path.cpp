@@ -45,7 +45,7 @@ void Path::gather() {
   const Hit& hit = *bundle_.hit;
   absorb(plan_.medium(hit.medium_before), hit.t, first, last, throughput_.data());
   const MaterialPlan& material = plan_.materials[hit.material.index()];
-  if (!material.emits(hit) || found_by_light_paths(hit)) return;
+  if (!material.emits(hit) || found_otherwise(hit)) return;
   double weight = 1.0;
   if (bundle_.density > 0.0)
     weight = bundle_.density / (bundle_.density + lamps_.density(bundle_.state.ray.origin, hit));
@@ -53,9 +53,13 @@ void Path::gather() {
              last);
 }
 
-/// Light-side passes follow what leaves a lamp, goes by mirrors and glass and is then spread.
-bool Path::found_by_light_paths(const Hit& emitting) const {
-  return emission_ && bundle_.spread && bundle_.density == 0.0 && emission_->emits(emitting.shape);
+/// True for light that goes from a lamp by mirrors and glass to a surface that spreads it, where
+/// light paths find it, or shadow rays that pass through glass count it in their way.
+bool Path::found_otherwise(const Hit& emitting) const {
+  const bool by_specular_surfaces = bundle_.spread && bundle_.density == 0.0;
+  if (!by_specular_surfaces) return false;
+  return emission_ ? emission_->emits(emitting.shape)
+                   : plan_.settings.shadows == ShadowRule::attenuated;
 }
 
 bool Path::go_on() {

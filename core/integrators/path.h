@@ -35,7 +35,7 @@ private:
   bool go_on();
   void aim_at_a_lamp(const Hit& hit);
   void look_up_photons(const Hit& hit);
-  [[nodiscard]] bool found_by_light_paths(const Hit& emitting) const;
+  [[nodiscard]] bool found_otherwise(const Hit& emitting) const;
 
   const Lamps& lamps_;
   const PhotonMap* photons_;

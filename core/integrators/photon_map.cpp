@@ -11,8 +11,8 @@ void PhotonBatch::add(Photon photon, const float* band_flux, double scale) {
   photon.flux = flux.size();
   photons.push_back(photon);
   const auto s = static_cast<float>(scale);
-  for (int b = photon.first; b < photon.last; ++b)
-    flux.push_back(band_flux[b] * s);
+  for (int i = 0; i < photon.last - photon.first; ++i)
+    flux.push_back(band_flux[i] * s);
 }
 
 namespace {

@@ -25,6 +25,7 @@ struct PhotonBatch {
   std::vector<Photon> photons;
   std::vector<float> flux;
 
+  /// `band_flux` holds one value for each of the photon's bands.
   void add(Photon photon, const float* band_flux, double scale);
 };
 

@@ -40,7 +40,7 @@ CoatedDiffuse coated(const MaterialPlan& material) {
 } // namespace
 
 Scattering::Scattering(const Plan& plan, Transport transport)
-    : transport_(transport), facet_light_(plan.stride) {
+    : plan_(plan), transport_(transport), facet_light_(plan.stride) {
   factors_.reflected.resize(plan.stride);
   factors_.transmitted.resize(plan.stride);
 }
@@ -111,9 +111,10 @@ void Scattering::find_smooth_parts(PathWavelengths& wavelengths) {
   if (material.transmits) {
     // Radiance in a dense medium is n^2 times that outside and will lose this again: what counts
     // is the flux.
+    const int b = std::max(first_, plan_.live_first); // whether or not dead bands are carried
     const double eta = transport_ == Transport::radiance
-                           ? wavelengths.indices(hit_->medium_after)[first_] /
-                                 wavelengths.indices(hit_->medium_before)[first_]
+                           ? wavelengths.indices(hit_->medium_after)[b] /
+                                 wavelengths.indices(hit_->medium_before)[b]
                            : 1.0;
     refract_ = eta * eta * brought(factors_.transmitted.data());
   }

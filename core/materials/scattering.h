@@ -80,6 +80,7 @@ private:
   [[nodiscard]] int live_band(double choice) const;
   [[nodiscard]] double phong_density(const dvec3& local) const;
 
+  const Plan& plan_;
   Transport transport_;
   const MaterialPlan* material_ = nullptr;
   const Hit* hit_ = nullptr;
