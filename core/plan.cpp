@@ -4,6 +4,7 @@
 #include "core/lights/sampled_surface.h"
 #include "core/plan_extent.h"
 #include "core/plan_lines.h"
+#include "core/plan_surfaces.h"
 #include "core/plan_tiles.h"
 #include "spectral/observer.h"
 
@@ -111,6 +112,7 @@ void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
       m.metal_n = table(material.metal->n);
       m.metal_k = table(material.metal->k);
     }
+    plan_surface(material, m, plan);
     m.dielectric = !m.transparency.zero();
     m.reflects = largest(m.reflectivity) > static_cast<float>(settings.min_reflectivity);
     m.transmits = largest(m.transparency) > static_cast<float>(settings.min_transparency);
@@ -312,9 +314,11 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
         fmt::format("the crop {},{},{},{} is not a part of the {} x {} image", plan.window.x0,
                     plan.window.y0, plan.window.x1, plan.window.y1, full.x1, full.y1));
   plan.tiles = make_tiles(scene, plan.window, settings);
+  plan_albedos(plan);
   plan_caustics(scene, plan);
   plan.quantum = film_quantum(scene, plan.grid, settings.observer);
   note_content(scene, plan);
+  note_surfaces(plan);
   return plan;
 }
 

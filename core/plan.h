@@ -3,12 +3,14 @@
 #include "core/band_table.h"
 #include "core/index_table.h"
 #include "core/lights/environment_map.h"
+#include "core/materials/albedo_table.h"
 #include "core/materials/texture_plan.h"
 #include "core/scene.h"
 #include "geometry/ray_state.h"
 #include "spectral/color.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,12 @@ struct MaterialPlan {
   float specular_exponent = 1.0f;
   bool fresnel = true;
   BandTable metal_n, metal_k; ///< of a conductor
+  double roughness = 0.0;     ///< see Material::roughness
+  bool compensation = true;
+  std::optional<GgxAlbedo> mirror_albedo;       ///< of a rough surface with compensation
+  std::optional<DielectricAlbedo> glass_albedo; ///< the same, or of a rough coat
+  double film_nm = 0.0;                         ///< thickness of the thin film
+  int film = -1, coat = -1; ///< indices into Plan::layers; negative: there is none
   bool conductor = false;
   bool dielectric = false; ///< lets light in, so reflection too goes by its index
   bool reflects = false, transmits = false, lit = false; ///< what paths follow
@@ -44,7 +52,7 @@ struct MaterialPlan {
 
   [[nodiscard]] bool mixed() const { return mixture.first >= 0; }
   /// True when some light goes on along the one reflected or refracted ray.
-  [[nodiscard]] bool specular_part() const { return reflects || transmits; }
+  [[nodiscard]] bool specular_part() const { return roughness == 0.0 && (reflects || transmits); }
   /// True when a ray that meets the surface sees light that it gives off.
   [[nodiscard]] bool emits(const Hit& hit) const {
     return emission_source >= 0 && (hit.entering || emits_behind);
@@ -89,6 +97,7 @@ struct Plan {
   TexturePlans textures;
   std::vector<MediumPlan> media; ///< by MediumId
   MediumPlan vacuum;
+  std::vector<IndexTable> layers; ///< of thin films and coats
 
   PixelWindow window; ///< what is rendered
   std::vector<Tile> tiles;

@@ -50,6 +50,7 @@ enum SamplePurpose : std::uint32_t {
   kLampPoint = 11,     ///< a point on it
   kSurfaceChoice = 12, ///< x: which band of a stratum is kept, y: which of mixed materials
   kSplat = 13,         ///< where in the pixel filter a splat falls
+  kLobe = 14,          ///< x: which way of a rough surface's scattering, y: by which band
   kPerSurface = 8,
 };
 

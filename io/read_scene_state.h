@@ -104,6 +104,7 @@ struct SceneKeyword {
 [[nodiscard]] std::span<const SceneKeyword> material_keywords();
 [[nodiscard]] std::span<const SceneKeyword> texture_keywords();
 [[nodiscard]] std::span<const SceneKeyword> mixture_keywords();
+[[nodiscard]] std::span<const SceneKeyword> surface_keywords();
 [[nodiscard]] std::span<const SceneKeyword> light_keywords();
 [[nodiscard]] std::span<const SceneKeyword> light_path_keywords();
 [[nodiscard]] std::span<const SceneKeyword> shape_keywords();
@@ -160,6 +161,10 @@ void warn_of_extrapolation(SceneState& state, const SourcePosition& where, const
 /// The material that the keyword `glass` sets. Warns of a glass that is extrapolated.
 [[nodiscard]] CurrentMaterial clear_glass(SceneState& state, const SourcePosition& where,
                                           const Glass& glass);
+
+/// Throws where a shape's finish has parts that do not go together: a film without a boundary of
+/// glass or metal below it, or a coat on one.
+void check_surface(const SourcePosition& where, const Material& finish);
 
 /// Reads what follows the keyword `polyhedron`.
 [[nodiscard]] ConvexPolyhedron read_polyhedron(Arguments& arguments);

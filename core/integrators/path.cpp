@@ -87,7 +87,7 @@ bool Path::go_on() {
   case ScatterKind::spread:
     break;
   }
-  const auto direction = scattering_.sample(numbers(kDirection));
+  const auto direction = scattering_.sample(numbers(kDirection), numbers(kLobe));
   if (!direction) return false;
   const double density = scattering_.evaluate(*direction, light_.data());
   return density > 0.0 && spread(*direction, light_.data(), density);
@@ -117,18 +117,19 @@ void Path::aim_at_a_lamp(const Hit& hit) {
 }
 
 void Path::look_up_photons(const Hit& hit) {
-  photons_->for_each_near(hit, [&](const Photon& photon, const float* flux) {
-    const int first = std::max(bundle_.first, photon.first);
-    const int last = std::min(bundle_.last, photon.last);
-    if (first >= last) return;
-    const double cosine = std::abs(glm::dot(photon.direction, hit.normal));
-    if (!(scattering_.evaluate(-photon.direction, light_.data()) > 0.0)) return;
-    for (int b = first; b < last; ++b)
-      light_[static_cast<std::size_t>(b)] *=
-          throughput_[static_cast<std::size_t>(b)] * flux[b - photon.first];
-    sums_->add(photon.source, light_.data(), ones_,
-               static_cast<float>(photons_->density_factor() / cosine), first, last);
-  });
+  photons_->for_each_near(
+      hit, scattering_.spreads_through(), [&](const Photon& photon, const float* flux) {
+        const int first = std::max(bundle_.first, photon.first);
+        const int last = std::min(bundle_.last, photon.last);
+        if (first >= last) return;
+        const double cosine = std::abs(glm::dot(photon.direction, hit.normal));
+        if (!(scattering_.evaluate(-photon.direction, light_.data()) > 0.0)) return;
+        for (int b = first; b < last; ++b)
+          light_[static_cast<std::size_t>(b)] *=
+              throughput_[static_cast<std::size_t>(b)] * flux[b - photon.first];
+        sums_->add(photon.source, light_.data(), ones_,
+                   static_cast<float>(photons_->density_factor() / cosine), first, last);
+      });
 }
 
 } // namespace abbe

@@ -22,8 +22,8 @@ public:
 private:
   [[nodiscard]] bool attenuate(RayState state, double distance, int first, int last,
                                PathWavelengths& wavelengths, RayCounts& counts);
-  void pass(const MaterialPlan& material, double cos_i, const double* n_before,
-            const double* n_after, int first, int last, std::vector<float>& light);
+  void pass(const MaterialPlan& material, const Hit& hit, double cos_i, int first, int last,
+            PathWavelengths& wavelengths, std::vector<float>& light);
 
   const Plan& plan_;
   const World& world_;

@@ -2,12 +2,15 @@
 
 #include "core/integrators/absorption.h"
 #include "core/lights/illumination.h"
+#include "core/materials/coated_diffuse.h"
 #include "core/materials/conductor.h"
 #include "core/materials/fresnel.h"
+#include "core/materials/material_optics.h"
 #include "core/materials/surface_finish.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace abbe {
 namespace {
@@ -23,7 +26,8 @@ Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, const
                  double pixel_angle)
     : scene_(scene), plan_(plan), world_(world), lamps_(lamps), wavelengths_(plan),
       fan_(plan, world, pixel_angle), shadow_rays_(plan, world), ones_(1.0f, plan.grid.count()),
-      textured_(0.0f, plan.grid.count()), throughput_(plan.stride), lit_(plan.stride) {
+      textured_(0.0f, plan.grid.count()), throughput_(plan.stride), lit_(plan.stride),
+      coated_(plan.stride) {
   scatter_.reflected.resize(plan.stride);
   scatter_.transmitted.resize(plan.stride);
 }
@@ -83,6 +87,20 @@ void Whitted::shade(const Bundle& bundle, const MaterialPlan& material, Radiance
   if (material.lit) add_lamps(bundle, material, sums, counts);
 }
 
+/// What arrives of a lamp's light, `lit_`, sent back by a coated ground, with lambert's cosine. The
+/// thesis's lamps give pi times the light that a diffuse surface of theirs would need.
+const float* Whitted::diffuse_under_coat(const Bundle& bundle, const MaterialPlan& material,
+                                         const BandTable& diffuse, double cos_o, double cos_i) {
+  const auto at = [](double mu) { return dvec3{std::sqrt(std::max(0.0, 1.0 - mu * mu)), 0.0, mu}; };
+  const SurfaceOptics optics =
+      material_optics(material, bundle.hit->medium_before, bundle.hit->medium_after, wavelengths_);
+  (void)evaluate_coated_diffuse({diffuse.data(), std::nullopt, nullptr}, optics, at(cos_o),
+                                at(cos_i), {bundle.first, bundle.last}, coated_.data());
+  for (int b = bundle.first; b < bundle.last; ++b)
+    coated_[static_cast<std::size_t>(b)] *= lit_[static_cast<std::size_t>(b)];
+  return coated_.data();
+}
+
 void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
                         RayCounts& counts) {
   const Hit& hit = *bundle.hit;
@@ -100,7 +118,13 @@ void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, Radi
     for (int b = bundle.first; b < bundle.last; ++b)
       lit_[static_cast<std::size_t>(b)] = throughput_[static_cast<std::size_t>(b)] * arriving[b];
     const int source = plan_.light_source(i);
-    if (!diffuse.zero())
+    if (material.coat >= 0 && !diffuse.zero())
+      sums.add(source,
+               diffuse_under_coat(bundle, material, diffuse,
+                                  std::min(1.0, glm::dot(to_eye, normal)), std::min(1.0, lambert)),
+               ones_, static_cast<float>(light.strength * std::numbers::pi), bundle.first,
+               bundle.last);
+    else if (!diffuse.zero())
       sums.add(source, lit_.data(), diffuse, static_cast<float>(light.strength * lambert),
                bundle.first, bundle.last);
     if (!material.specular.zero()) {
@@ -140,6 +164,16 @@ void Whitted::scatter(const Bundle& bundle, const MaterialPlan& material, double
   const Hit& hit = *bundle.hit;
   if (!material.reflects && !material.transmits) return;
   const double cos_i = std::min(1.0, std::abs(glm::dot(hit.normal, bundle.state.ray.direction)));
+  if (material.film >= 0 || material.coat >= 0) {
+    const SurfaceOptics optics =
+        material_optics(material, hit.medium_before, hit.medium_after, wavelengths_);
+    scatter_smooth(optics, cos_i, bundle.first, bundle.last, Transport::radiance,
+                   scatter_.reflected.data(),
+                   material.transmits ? scatter_.transmitted.data() : nullptr);
+    if (material.reflects) reflect(bundle, scatter_.reflected.data(), counts);
+    if (material.transmits) refract(bundle, choice, counts);
+    return;
+  }
   if (material.conductor) {
     reflect_conductor(material, cos_i, wavelengths_.indices(hit.medium_before), bundle.first,
                       bundle.last, scatter_.reflected.data());

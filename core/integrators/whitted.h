@@ -30,6 +30,9 @@ private:
   void add_background(const Bundle& bundle, RadianceSums& sums);
   void shade(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
              RayCounts& counts);
+  [[nodiscard]] const float* diffuse_under_coat(const Bundle& bundle, const MaterialPlan& material,
+                                                const BandTable& diffuse, double cos_o,
+                                                double cos_i);
   void add_lamps(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
                  RayCounts& counts);
   void scatter(const Bundle& bundle, const MaterialPlan& material, double choice,
@@ -55,6 +58,7 @@ private:
   std::vector<float> throughputs_; ///< rows of Plan::stride values, one per waiting bundle
   std::vector<float> throughput_;  ///< of the bundle being shaded
   std::vector<float> lit_;         ///< the same after a shadow ray
+  std::vector<float> coated_;      ///< the same after a coat, there and back
 };
 
 } // namespace abbe
