@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/cameras/lens_prescription.h"
+#include "io/token.h"
+
+#include <filesystem>
+#include <string_view>
+
+namespace abbe {
+
+/// Reads a camera lens. Throws ReadError, also for data that describe no lens; warns of glasses
+/// that are extrapolated. docs/scene_format.md describes the format.
+[[nodiscard]] LensPrescription read_lens_prescription(const std::filesystem::path& file,
+                                                      const Warn& warn);
+
+/// The same for text; `file` is for messages, and names the lens.
+[[nodiscard]] LensPrescription read_lens_prescription_text(std::string_view text,
+                                                           const std::filesystem::path& file,
+                                                           const Warn& warn);
+
+} // namespace abbe
