@@ -22,4 +22,12 @@ struct Bundle {
   [[nodiscard]] int bands() const { return last - first; }
 };
 
+/// One of the bundles that a camera sample starts with, and the factor on what its bands carry. A
+/// sample's bands have one bundle together, unless a lens has parted them; bands that are not in
+/// any carry nothing.
+struct CameraBundle {
+  Bundle bundle;
+  float weight = 1.0f;
+};
+
 } // namespace abbe

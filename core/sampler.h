@@ -41,6 +41,7 @@ private:
 enum SamplePurpose : std::uint32_t {
   kPixelPosition = 0,
   kWavelength = 1, ///< x: place inside the band, y: which band of a stratum is kept
+  kLens = 2,       ///< where on the lens
 };
 
 /// A position relative to the pixel's centre, in pixels, distributed like the filter.

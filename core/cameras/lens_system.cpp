@@ -135,6 +135,11 @@ std::vector<double> LensSystem::chief_heights(double half_field_deg) const {
   return heights;
 }
 
+bool LensSystem::achromatic() const {
+  return std::all_of(media_.begin(), media_.end(),
+                     [](const IndexTable& index) { return index.achromatic(); });
+}
+
 void LensSystem::look_up_indices(double lambda_nm, std::span<double> n) const {
   for (std::size_t i = 0; i < media_.size(); ++i)
     n[i] = media_[i].at(lambda_nm);

@@ -66,6 +66,7 @@ public:
   [[nodiscard]] std::size_t stop() const { return stop_; }
   [[nodiscard]] double last_vertex() const { return surfaces_.back().vertex; }
   [[nodiscard]] std::size_t media() const { return media_.size(); }
+  [[nodiscard]] bool achromatic() const;
 
   /// Each medium's index at a wavelength; `n` has `media()` entries.
   void look_up_indices(double lambda_nm, std::span<double> n) const;

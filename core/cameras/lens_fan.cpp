@@ -1,0 +1,122 @@
+#include "core/cameras/lens_fan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abbe {
+namespace {
+
+dvec3 at_depth(const Ray& ray, double z) {
+  return ray.at((z - ray.origin.z) / ray.direction.z);
+}
+
+} // namespace
+
+LensFan::LensFan(const Plan& plan, const LensCamera& camera)
+    : plan_(plan), camera_(camera), achromatic_(camera.lens().achromatic()),
+      direction_limit_(plan.settings.tolerance_pixels * camera.pixel_angle()),
+      position_limit_(direction_limit_ * camera.focus_distance()), n_(camera.lens().media()),
+      band_rays_(static_cast<std::size_t>(plan.grid.count())) {}
+
+std::optional<LensRay> LensFan::traced(double lambda_nm) {
+  camera_.lens().look_up_indices(lambda_nm, n_);
+  return camera_.trace(film_ray_, n_);
+}
+
+const std::optional<LensRay>& LensFan::band_ray(int band) {
+  BandRay& ray = band_rays_[static_cast<std::size_t>(band)];
+  if (!ray.traced) ray = {traced(plan_.wavelength_nm(band, wavelength_.x)), true};
+  return ray.ray;
+}
+
+/// True when none of the bands seems to come through. The lens's edge moves with the wavelength to
+/// one side, or turns back once, as an achromat's colours do.
+bool LensFan::stopped(Range range) {
+  return !band_ray(range.first) && !band_ray(range.last - 1) &&
+         !band_ray((range.first + range.last) / 2);
+}
+
+bool LensFan::may_share(Range range) {
+  const auto &a = band_ray(range.first), &b = band_ray(range.last - 1);
+  if (!a || !b) return false;
+  if (glm::distance(a->ray.direction, b->ray.direction) > direction_limit_) return false;
+  const double focus = camera_.focus_distance();
+  if (std::isinf(focus)) return true;
+  return glm::distance(a->ray.origin, b->ray.origin) <= position_limit_ &&
+         glm::distance(at_depth(a->ray, -focus), at_depth(b->ray, -focus)) <= position_limit_;
+}
+
+void LensFan::add(Range range, const std::optional<LensRay>& ray, double weight) {
+  if (!ray) return;
+  CameraBundle& start = bundles_->emplace_back();
+  start.bundle.first = range.first;
+  start.bundle.last = range.last;
+  start.bundle.state.ray = camera_.to_world(ray->ray);
+  start.weight = static_cast<float>(weight * film_ray_.weight * ray->transmittance);
+}
+
+void LensFan::add_shared(Range range) {
+  const auto ray = traced(plan_.shared_wavelength_nm(range.first, range.last, wavelength_.x));
+  if (!ray) return;
+  add(range, ray, 1.0);
+  const auto &a = band_ray(range.first), &b = band_ray(range.last - 1);
+  Bundle& bundle = bundles_->back().bundle;
+  bundle.position_spread = glm::distance(a->ray.origin, b->ray.origin) / camera_.mm_per_unit();
+  bundle.direction_spread = glm::distance(a->ray.direction, b->ray.direction);
+}
+
+/// Halves ranges of bands, all of one size before the next smaller, until each may share a ray or
+/// all sub-bundles are used up.
+void LensFan::part(Range whole) {
+  const std::size_t most = plan_.follows_all() ? static_cast<std::size_t>(whole.bands())
+                                               : static_cast<std::size_t>(plan_.settings.max_fan);
+  std::size_t used = 0;
+  ranges_.assign(1, whole);
+  while (!ranges_.empty()) {
+    next_ranges_.clear();
+    std::size_t waiting = ranges_.size();
+    for (const Range& r : ranges_) {
+      --waiting;
+      if (stopped(r)) continue;
+      if (r.bands() > 1 && !may_share(r) && used + next_ranges_.size() + waiting + 2 <= most) {
+        const int middle = r.first + r.bands() / 2;
+        next_ranges_.push_back({r.first, middle});
+        next_ranges_.push_back({middle, r.last});
+        continue;
+      }
+      ++used;
+      if (r.bands() == 1) {
+        add(r, band_ray(r.first), 1.0);
+      } else if (may_share(r)) {
+        add_shared(r);
+      } else {
+        const int skipped = static_cast<int>(wavelength_.y * r.bands());
+        const int kept = r.first + std::min(skipped, r.bands() - 1);
+        add({kept, kept + 1}, band_ray(kept), r.bands());
+      }
+    }
+    std::swap(ranges_, next_ranges_);
+  }
+}
+
+void LensFan::sample(const glm::dvec2& position, const glm::dvec2& u_lens,
+                     const glm::dvec2& wavelength, std::vector<CameraBundle>& bundles) {
+  const Range whole{plan_.first_band, plan_.last_band};
+  const auto film_ray = camera_.film_ray(position, u_lens);
+  if (!film_ray || whole.bands() <= 0) return;
+  film_ray_ = *film_ray;
+  wavelength_ = wavelength;
+  bundles_ = &bundles;
+  for (int b = whole.first; b < whole.last; ++b)
+    band_rays_[static_cast<std::size_t>(b)].traced = false;
+  if (achromatic_) {
+    add(whole, band_ray(whole.first), 1.0);
+  } else if (plan_.settings.exact) {
+    for (int b = whole.first; b < whole.last; ++b)
+      add({b, b + 1}, band_ray(b), 1.0);
+  } else {
+    part(whole);
+  }
+}
+
+} // namespace abbe
