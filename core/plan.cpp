@@ -101,6 +101,7 @@ void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
     m.reflects = largest(m.reflectivity) > static_cast<float>(settings.min_reflectivity);
     m.transmits = largest(m.transparency) > static_cast<float>(settings.min_transparency);
     m.lit = !m.diffuse.zero() || !m.specular.zero();
+    m.emits_behind = material.emits_behind;
     if (material.emission.constant_value() != 0.0)
       m.emission_source = sources.add(material.emission);
     plan.materials.push_back(std::move(m));
@@ -205,6 +206,9 @@ double Plan::wavelength_nm(int band, double offset) const {
 Plan make_plan(const Scene& scene, const RenderSettings& settings) {
   Plan plan;
   plan.settings = settings;
+  if (settings.shadows == ShadowRule::automatic)
+    plan.settings.shadows =
+        settings.integrator == Integrator::path ? ShadowRule::opaque : ShadowRule::attenuated;
   plan.grid = BandGrid(settings.bands);
   plan.stride = padded_band_count(settings.bands);
 

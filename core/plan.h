@@ -3,6 +3,7 @@
 #include "core/band_table.h"
 #include "core/index_table.h"
 #include "core/scene.h"
+#include "geometry/ray_state.h"
 #include "spectral/color.h"
 
 #include <cstdint>
@@ -27,7 +28,13 @@ struct MaterialPlan {
   bool conductor = false;
   bool dielectric = false; ///< lets light in, so reflection too goes by its index
   bool reflects = false, transmits = false, lit = false; ///< what paths follow
+  bool emits_behind = true;
   int emission_source = -1; ///< index into Plan::sources; negative: emits nothing
+
+  /// True when a ray that meets the surface sees light that it gives off.
+  [[nodiscard]] bool emits(const Hit& hit) const {
+    return emission_source >= 0 && (hit.entering || emits_behind);
+  }
 };
 
 /// A medium at the bands.

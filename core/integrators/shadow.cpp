@@ -18,6 +18,7 @@ const float* ShadowRays::transmittance(const RayState& towards_lamp, double dist
   case ShadowRule::opaque:
     counts.add_any_hit(RayKind::shadow, towards_lamp, distance);
     return world_.occluded(towards_lamp, distance) ? nullptr : ones_.data();
+  case ShadowRule::automatic: // never in a plan
   case ShadowRule::attenuated:
     std::fill(transmittance_.begin(), transmittance_.end(), 1.0f);
     return attenuate(towards_lamp, distance, first, last, wavelengths, counts)

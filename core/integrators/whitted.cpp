@@ -69,7 +69,7 @@ void Whitted::shade(const Bundle& bundle, RadianceSums& sums, RayCounts& counts)
   const Hit& hit = *bundle.hit;
   absorb(plan_.medium(hit.medium_before), hit.t, bundle.first, bundle.last, throughput_.data());
   const MaterialPlan& material = plan_.materials[hit.material.index()];
-  if (material.emission_source >= 0) add(material.emission_source, ones_);
+  if (material.emits(hit)) add(material.emission_source, ones_);
   if (!material.ambient.zero()) add(Plan::kAmbient, material.ambient);
   if (material.lit) add_lamps(bundle, material, sums, counts);
 }

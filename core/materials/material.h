@@ -29,6 +29,7 @@ struct Material {
   Curve diffuse = Curve::constant(0.0);
   Curve specular = Curve::constant(0.0);
   Curve emission = Curve::constant(0.0); ///< radiance that the surface gives off
+  bool emits_behind = true; ///< a flat shape gives it off on both sides; a solid does so outwards
   double specular_exponent = 1.0;
   Curve reflectivity = Curve::constant(0.0); ///< scales the reflected part
   Curve transparency = Curve::constant(0.0); ///< scales the refracted part
