@@ -1,6 +1,7 @@
 #include "core/render.h"
 
 #include "core/camera.h"
+#include "core/cameras/lens_fan.h"
 #include "core/integrators/path.h"
 #include "core/integrators/whitted.h"
 #include "core/lights/lamps.h"
@@ -15,11 +16,12 @@
 #include <immintrin.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <chrono>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <vector>
 
 namespace abbe {
 namespace {
@@ -48,6 +50,23 @@ std::unique_ptr<CameraIntegrator> make_integrator(const Scene& scene, const Plan
   return std::make_unique<Whitted>(scene, plan, world, pixel_angle);
 }
 
+/// A scene's camera: the rays of a pinhole or a thin lens, or those of a real lens.
+struct PlacedCamera {
+  CameraRays rays;
+  std::optional<LensCamera> lens;
+  Nesting nesting;
+
+  PlacedCamera(const Scene& scene, const RenderSettings& settings, const World& world)
+      : rays(scene.camera, settings.width, settings.height),
+        nesting(world.nesting_at(scene.camera.eye)) {
+    if (scene.camera.lens)
+      lens.emplace(scene.camera, scene.mm_per_unit, settings.width, settings.height);
+  }
+  [[nodiscard]] double pixel_angle() const {
+    return lens ? lens->pixel_angle() : rays.pixel_angle();
+  }
+};
+
 /// Which samples of each pixel are to be rendered: [first, last).
 struct SampleRange {
   int first, last;
@@ -57,9 +76,10 @@ struct SampleRange {
 class TileRenderer {
 public:
   TileRenderer(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
-               const CameraRays& camera, const Nesting& camera_nesting, Film& film)
-      : plan_(plan), world_(world), camera_(camera), camera_nesting_(camera_nesting), film_(film),
+               const PlacedCamera& camera, Film& film)
+      : plan_(plan), world_(world), camera_(camera), film_(film),
         integrator_(make_integrator(scene, plan, world, lamps, camera.pixel_angle())), sums_(plan) {
+    if (camera.lens) lens_fan_.emplace(plan, *camera.lens);
   }
 
   RayCounts render(const Tile& tile, SampleRange samples, RayRecord* record) {
@@ -83,25 +103,59 @@ private:
     Sampler sampler;
   };
 
+  [[nodiscard]] dvec2 film_position(const CameraSample& sample) const {
+    return dvec2(sample.x + 0.5, sample.y + 0.5) +
+           filter_offset(plan_.settings.filter, sample.sampler.pair(kPixelPosition));
+  }
+
+  /// The bundles of the batch's samples, one each but where a lens parts or stops them.
+  void start_batch() {
+    starts_.clear();
+    ends_.clear();
+    for (const CameraSample& sample : batch_) {
+      const dvec2 position = film_position(sample);
+      if (lens_fan_) {
+        const dvec2 u = sample.sampler.pair(kWavelength);
+        lens_fan_->sample(position, sample.sampler.pair(kLens),
+                          {plan_.settings.jitter ? u.x : 0.5, u.y}, starts_);
+      } else {
+        Bundle& bundle = starts_.emplace_back().bundle;
+        bundle.first = plan_.first_band;
+        bundle.last = plan_.last_band;
+        bundle.state.ray = camera_.rays.has_aperture()
+                               ? camera_.rays.ray(position, sample.sampler.pair(kLens))
+                               : camera_.rays.ray(position);
+      }
+      ends_.push_back(starts_.size());
+    }
+    states_.resize(starts_.size());
+    for (std::size_t i = 0; i < starts_.size(); ++i) {
+      starts_[i].bundle.state.nesting = camera_.nesting;
+      states_[i] = starts_[i].bundle.state;
+    }
+  }
+
+  void trace_batch(RayCounts& counts) {
+    hits_.resize(states_.size());
+    world_.closest(states_, hits_, plan_.settings.tracing);
+    counts.add(RayKind::camera, states_);
+    for (std::size_t i = 0; i < starts_.size(); ++i)
+      starts_[i].bundle.hit = hits_[i];
+  }
+
   void finish_batch(bool empty, RayCounts& counts) {
-    const std::size_t count = batch_.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const CameraSample& sample = batch_[i];
-      const dvec2 offset =
-          filter_offset(plan_.settings.filter, sample.sampler.pair(kPixelPosition));
-      states_[i].ray = camera_.ray(dvec2(sample.x + 0.5, sample.y + 0.5) + offset);
-      states_[i].nesting = camera_nesting_;
-      hits_[i].reset();
-    }
-    if (!empty) {
-      world_.closest(std::span(states_).first(count), std::span(hits_).first(count),
-                     plan_.settings.tracing);
-      counts.add(RayKind::camera, std::span(states_).first(count));
-    }
-    for (std::size_t i = 0; i < count; ++i) {
+    start_batch();
+    if (!empty) trace_batch(counts);
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < batch_.size(); ++i) {
+      const auto start = std::span<const CameraBundle>(starts_).subspan(first, ends_[i] - first);
+      first = ends_[i];
       sums_.clear();
-      integrator_->trace(states_[i], hits_[i], batch_[i].sampler, sums_, counts);
-      film_.add(batch_[i].x, batch_[i].y, sums_.color(), hits_[i].has_value(),
+      integrator_->trace(start, batch_[i].sampler, sums_, counts);
+      const bool covered = std::any_of(start.begin(), start.end(), [](const CameraBundle& b) {
+        return b.bundle.hit.has_value();
+      });
+      film_.add(batch_[i].x, batch_[i].y, sums_.color(), covered,
                 film_.bands() > 0 ? sums_.radiance() : std::span<const float>());
     }
     batch_.clear();
@@ -109,14 +163,16 @@ private:
 
   const Plan& plan_;
   const World& world_;
-  const CameraRays& camera_;
-  const Nesting& camera_nesting_;
+  const PlacedCamera& camera_;
   Film& film_;
   std::unique_ptr<CameraIntegrator> integrator_;
   RadianceSums sums_;
   std::vector<CameraSample> batch_;
-  std::array<RayState, kPacketWidth> states_;
-  std::array<std::optional<Hit>, kPacketWidth> hits_;
+  std::optional<LensFan> lens_fan_;
+  std::vector<CameraBundle> starts_;
+  std::vector<std::size_t> ends_; ///< of each sample's bundles
+  std::vector<RayState> states_;
+  std::vector<std::optional<Hit>> hits_;
 };
 
 /// Counts finished tiles and tells about them at most ten times a second.
@@ -157,9 +213,8 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
   const RenderSettings& settings = plan.settings;
   Rendering result{
       Film(plan.window, plan.quantum, keep_bands ? plan.grid.count() : 0), {}, 0, true};
-  const CameraRays camera(scene.camera, settings.width, settings.height);
+  const PlacedCamera camera(scene, settings, world);
   const Lamps lamps(scene, plan);
-  const Nesting camera_nesting = world.nesting_at(scene.camera.eye);
   const int passes = (settings.samples_per_pixel + kSamplesPerPass - 1) / kSamplesPerPass;
   ProgressMeter meter(progress, static_cast<std::size_t>(passes) * plan.tiles.size());
   assert(!record || settings.threads == 1);
@@ -175,8 +230,7 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, plan.tiles.size(), 1),
                         [&](const tbb::blocked_range<std::size_t>& range) {
                           const DenormalsOff denormals_off;
-                          TileRenderer renderer(scene, plan, world, lamps, camera, camera_nesting,
-                                                result.film);
+                          TileRenderer renderer(scene, plan, world, lamps, camera, result.film);
                           for (std::size_t i = range.begin(); i < range.end() && !stop; ++i)
                             meter.step(renderer.render(plan.tiles[i], samples, record));
                         });

@@ -142,6 +142,13 @@ void check(const LensFile& file, const std::filesystem::path& path) {
 
 } // namespace
 
+std::vector<std::string_view> lens_file_keywords() {
+  std::vector<std::string_view> usages;
+  for (const LensKeyword& keyword : kKeywords)
+    usages.push_back(keyword.usage);
+  return usages;
+}
+
 LensPrescription read_lens_prescription_text(std::string_view text,
                                              const std::filesystem::path& path, const Warn& warn) {
   LensFile file{{}, 1.0, {}, warn, {}};

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 namespace abbe {
 
@@ -17,5 +18,8 @@ namespace abbe {
 [[nodiscard]] LensPrescription read_lens_prescription_text(std::string_view text,
                                                            const std::filesystem::path& file,
                                                            const Warn& warn);
+
+/// The keywords of a lens file with their arguments.
+[[nodiscard]] std::vector<std::string_view> lens_file_keywords();
 
 } // namespace abbe

@@ -56,6 +56,18 @@ struct Macro {
   std::vector<Token> body;
 };
 
+/// A number and the keyword that gave it.
+struct GivenNumber {
+  double value;
+  SourcePosition where;
+};
+
+/// What is said of the camera's lens, and where; it comes together at the end of the scene.
+struct CameraLensState {
+  std::optional<GivenNumber> f_number, focal_length_mm;
+  std::optional<SourcePosition> focus_at, film_height_at, film_distance_at, coating_at, lens_at;
+};
+
 /// The scene as far as it is read, and everything that is current.
 struct SceneState {
   Scene scene;
@@ -76,6 +88,7 @@ struct SceneState {
   std::set<const Glass*> warned_glasses;
   std::optional<SourcePosition> camera_at; ///< of the last keyword that moves the camera
   std::optional<SourcePosition> crop_at;
+  CameraLensState camera_lens;
 };
 
 /// A keyword of the scene language, one row of a table.
@@ -88,6 +101,7 @@ struct SceneKeyword {
 [[nodiscard]] std::span<const SceneKeyword> setting_keywords();
 [[nodiscard]] std::span<const SceneKeyword> display_keywords();
 [[nodiscard]] std::span<const SceneKeyword> camera_keywords();
+[[nodiscard]] std::span<const SceneKeyword> camera_lens_keywords();
 [[nodiscard]] std::span<const SceneKeyword> transform_keywords();
 [[nodiscard]] std::span<const SceneKeyword> material_keywords();
 [[nodiscard]] std::span<const SceneKeyword> light_keywords();
@@ -95,6 +109,10 @@ struct SceneKeyword {
 [[nodiscard]] std::span<const SceneKeyword> lens_keywords();
 [[nodiscard]] std::span<const SceneKeyword> boolean_keywords();
 [[nodiscard]] std::span<const SceneKeyword> macro_keywords();
+
+/// Puts the camera's lens together from all that was said of it. Throws ReadError where that does
+/// not fit together.
+void finish_camera_lens(SceneState& state);
 
 /// Reads one keyword with its arguments; for a boolean also its operands.
 void read_statement(SceneState& state, TokenReader& reader);

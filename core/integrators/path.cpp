@@ -32,24 +32,24 @@ void Path::push(const Bundle& bundle, float weight) {
     target[b] = throughput_[static_cast<std::size_t>(b)] * weight;
 }
 
-void Path::trace(const RayState& camera_ray, const std::optional<Hit>& hit, const Sampler& sampler,
-                 RadianceSums& sums, RayCounts& counts) {
+void Path::trace(std::span<const CameraBundle> start, const Sampler& sampler, RadianceSums& sums,
+                 RayCounts& counts) {
   sampler_ = &sampler;
   sums_ = &sums;
   counts_ = &counts;
   const dvec2 u = sampler.pair(kWavelength);
   wavelengths_.begin_path(plan_.settings.jitter ? u.x : 0.5);
   band_choice_ = u.y;
-  bundle_ = Bundle{};
-  bundle_.first = plan_.first_band;
-  bundle_.last = plan_.last_band;
-  bundle_.state = camera_ray;
-  bundle_.hit = hit;
-  std::copy(plan_.live.begin(), plan_.live.end(), throughput_.begin());
-  follow();
-  while (!waiting_.empty()) {
-    resume();
+  for (const CameraBundle& first : start) {
+    bundle_ = first.bundle;
+    for (auto b = static_cast<std::size_t>(bundle_.first);
+         b < static_cast<std::size_t>(bundle_.last); ++b)
+      throughput_[b] = plan_.live[b] * first.weight;
     follow();
+    while (!waiting_.empty()) {
+      resume();
+      follow();
+    }
   }
 }
 

@@ -16,8 +16,8 @@ class Whitted final : public CameraIntegrator {
 public:
   Whitted(const Scene& scene, const Plan& plan, const World& world, double pixel_angle);
 
-  void trace(const RayState& camera_ray, const std::optional<Hit>& hit, const Sampler& sampler,
-             RadianceSums& sums, RayCounts& counts) override;
+  void trace(std::span<const CameraBundle> start, const Sampler& sampler, RadianceSums& sums,
+             RayCounts& counts) override;
 
 private:
   /// A bundle that waits for its turn; its throughput is the row of the same number.
