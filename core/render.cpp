@@ -16,6 +16,7 @@
 #include <immintrin.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <chrono>
 #include <memory>
@@ -78,7 +79,8 @@ public:
   TileRenderer(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
                const PlacedCamera& camera, Film& film)
       : plan_(plan), world_(world), camera_(camera), film_(film),
-        integrator_(make_integrator(scene, plan, world, lamps, camera.pixel_angle())), sums_(plan) {
+        integrator_(make_integrator(scene, plan, world, lamps, camera.pixel_angle())),
+        sums_(plan), undivided_{plan.first_band, plan.last_band} {
     if (camera.lens) lens_fan_.emplace(plan, *camera.lens);
   }
 
@@ -108,57 +110,67 @@ private:
            filter_offset(plan_.settings.filter, sample.sampler.pair(kPixelPosition));
   }
 
-  /// The bundles of the batch's samples, one each but where a lens parts or stops them.
-  void start_batch() {
-    starts_.clear();
-    ends_.clear();
-    for (const CameraSample& sample : batch_) {
+  /// One ray for all bands of each sample.
+  void start_undivided() {
+    states_.resize(batch_.size());
+    for (std::size_t i = 0; i < batch_.size(); ++i) {
+      const CameraSample& sample = batch_[i];
       const dvec2 position = film_position(sample);
-      if (lens_fan_) {
-        const dvec2 u = sample.sampler.pair(kWavelength);
-        lens_fan_->sample(position, sample.sampler.pair(kLens),
-                          {plan_.settings.jitter ? u.x : 0.5, u.y}, starts_);
-      } else {
-        Bundle& bundle = starts_.emplace_back().bundle;
-        bundle.first = plan_.first_band;
-        bundle.last = plan_.last_band;
-        bundle.state.ray = camera_.rays.has_aperture()
-                               ? camera_.rays.ray(position, sample.sampler.pair(kLens))
-                               : camera_.rays.ray(position);
-      }
-      ends_.push_back(starts_.size());
-    }
-    states_.resize(starts_.size());
-    for (std::size_t i = 0; i < starts_.size(); ++i) {
-      starts_[i].bundle.state.nesting = camera_.nesting;
-      states_[i] = starts_[i].bundle.state;
+      states_[i].ray = camera_.rays.has_aperture()
+                           ? camera_.rays.ray(position, sample.sampler.pair(kLens))
+                           : camera_.rays.ray(position);
+      states_[i].nesting = camera_.nesting;
     }
   }
 
-  void trace_batch(RayCounts& counts) {
-    hits_.resize(states_.size());
-    world_.closest(states_, hits_, plan_.settings.tracing);
-    counts.add(RayKind::camera, states_);
-    for (std::size_t i = 0; i < starts_.size(); ++i)
-      starts_[i].bundle.hit = hits_[i];
+  /// As many rays for each sample as the lens parts its bands into, or none.
+  void start_through_lens() {
+    bundles_.clear();
+    states_.clear();
+    for (std::size_t i = 0; i < batch_.size(); ++i) {
+      const Sampler& sampler = batch_[i].sampler;
+      const dvec2 u = sampler.pair(kWavelength);
+      lens_fan_->sample(film_position(batch_[i]), sampler.pair(kLens),
+                        {plan_.settings.jitter ? u.x : 0.5, u.y}, bundles_, states_);
+      ends_[i] = bundles_.size();
+    }
+    for (RayState& state : states_)
+      state.nesting = camera_.nesting;
   }
 
   void finish_batch(bool empty, RayCounts& counts) {
-    start_batch();
-    if (!empty) trace_batch(counts);
+    if (lens_fan_)
+      start_through_lens();
+    else
+      start_undivided();
+    if (hits_.size() < states_.size()) hits_.resize(states_.size());
+    const std::span<const RayState> states(states_);
+    const std::span<std::optional<Hit>> hits(hits_.data(), states.size());
+    if (empty) {
+      std::fill(hits.begin(), hits.end(), std::nullopt);
+    } else {
+      world_.closest(states, hits, plan_.settings.tracing);
+      counts.add(RayKind::camera, states);
+    }
     std::size_t first = 0;
     for (std::size_t i = 0; i < batch_.size(); ++i) {
-      const auto start = std::span<const CameraBundle>(starts_).subspan(first, ends_[i] - first);
-      first = ends_[i];
-      sums_.clear();
-      integrator_->trace(start, batch_[i].sampler, sums_, counts);
-      const bool covered = std::any_of(start.begin(), start.end(), [](const CameraBundle& b) {
-        return b.bundle.hit.has_value();
-      });
-      film_.add(batch_[i].x, batch_[i].y, sums_.color(), covered,
-                film_.bands() > 0 ? sums_.radiance() : std::span<const float>());
+      const std::size_t own = lens_fan_ ? ends_[i] - first : 1;
+      trace_sample(batch_[i],
+                   {lens_fan_ ? &bundles_[first] : &undivided_, &states[first], &hits[first], own},
+                   counts);
+      first += own;
     }
     batch_.clear();
+  }
+
+  void trace_sample(const CameraSample& sample, const CameraPaths& start, RayCounts& counts) {
+    sums_.clear();
+    integrator_->trace(start, sample.sampler, sums_, counts);
+    bool covered = false;
+    for (std::size_t i = 0; i < start.count; ++i)
+      covered |= start.hits[i].has_value();
+    film_.add(sample.x, sample.y, sums_.color(), covered,
+              film_.bands() > 0 ? sums_.radiance() : std::span<const float>());
   }
 
   const Plan& plan_;
@@ -169,8 +181,9 @@ private:
   RadianceSums sums_;
   std::vector<CameraSample> batch_;
   std::optional<LensFan> lens_fan_;
-  std::vector<CameraBundle> starts_;
-  std::vector<std::size_t> ends_; ///< of each sample's bundles
+  std::array<std::size_t, kPacketWidth> ends_{}; ///< of each sample's bundles in the lists below
+  const CameraBundle undivided_; ///< what a sample starts with where no lens parts its bands
+  std::vector<CameraBundle> bundles_;
   std::vector<RayState> states_;
   std::vector<std::optional<Hit>> hits_;
 };

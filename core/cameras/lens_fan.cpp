@@ -49,10 +49,10 @@ bool LensFan::may_share(Range range) {
 void LensFan::add(Range range, const std::optional<LensRay>& ray, double weight) {
   if (!ray) return;
   CameraBundle& start = bundles_->emplace_back();
-  start.bundle.first = range.first;
-  start.bundle.last = range.last;
-  start.bundle.state.ray = camera_.to_world(ray->ray);
+  start.first = range.first;
+  start.last = range.last;
   start.weight = static_cast<float>(weight * film_ray_.weight * ray->transmittance);
+  states_->emplace_back().ray = camera_.to_world(ray->ray);
 }
 
 void LensFan::add_shared(Range range) {
@@ -60,7 +60,7 @@ void LensFan::add_shared(Range range) {
   if (!ray) return;
   add(range, ray, 1.0);
   const auto &a = band_ray(range.first), &b = band_ray(range.last - 1);
-  Bundle& bundle = bundles_->back().bundle;
+  CameraBundle& bundle = bundles_->back();
   bundle.position_spread = glm::distance(a->ray.origin, b->ray.origin) / camera_.mm_per_unit();
   bundle.direction_spread = glm::distance(a->ray.direction, b->ray.direction);
 }
@@ -100,13 +100,15 @@ void LensFan::part(Range whole) {
 }
 
 void LensFan::sample(const glm::dvec2& position, const glm::dvec2& u_lens,
-                     const glm::dvec2& wavelength, std::vector<CameraBundle>& bundles) {
+                     const glm::dvec2& wavelength, std::vector<CameraBundle>& bundles,
+                     std::vector<RayState>& states) {
   const Range whole{plan_.first_band, plan_.last_band};
   const auto film_ray = camera_.film_ray(position, u_lens);
   if (!film_ray || whole.bands() <= 0) return;
   film_ray_ = *film_ray;
   wavelength_ = wavelength;
   bundles_ = &bundles;
+  states_ = &states;
   for (int b = whole.first; b < whole.last; ++b)
     band_rays_[static_cast<std::size_t>(b)].traced = false;
   if (achromatic_) {

@@ -23,11 +23,11 @@ class LensFan {
 public:
   LensFan(const Plan& plan, const LensCamera& camera);
 
-  /// Appends the bundles of a sample to `bundles`; their rays have no nesting and are not traced.
+  /// Appends the bundles of a sample to `bundles` and their rays, without nesting, to `states`.
   /// `wavelength` is the path's: x the place inside the bands, y the roulette's number. Bands whose
   /// rays the lens stops are left out.
   void sample(const glm::dvec2& position, const glm::dvec2& u_lens, const glm::dvec2& wavelength,
-              std::vector<CameraBundle>& bundles);
+              std::vector<CameraBundle>& bundles, std::vector<RayState>& states);
 
 private:
   struct BandRay {
@@ -57,7 +57,8 @@ private:
   std::vector<double> n_; ///< the media's indices at one wavelength
   std::vector<BandRay> band_rays_;
   std::vector<Range> ranges_, next_ranges_;
-  std::vector<CameraBundle>* bundles_ = nullptr;
+  std::vector<CameraBundle>* bundles_ = nullptr; ///< where the sample's go
+  std::vector<RayState>* states_ = nullptr;
 };
 
 } // namespace abbe

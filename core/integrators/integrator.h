@@ -5,8 +5,6 @@
 #include "core/sampler.h"
 #include "core/statistics.h"
 
-#include <span>
-
 namespace abbe {
 
 /// Finds the light that camera rays see. One object serves one thread; it keeps the memory of its
@@ -18,10 +16,9 @@ public:
   CameraIntegrator& operator=(const CameraIntegrator&) = delete;
   virtual ~CameraIntegrator() = default;
 
-  /// Follows the bundles of one camera sample, which have been traced, and adds what they see to
-  /// `sums`.
-  virtual void trace(std::span<const CameraBundle> start, const Sampler& sampler,
-                     RadianceSums& sums, RayCounts& counts) = 0;
+  /// Follows the bundles of one camera sample and adds what they see to `sums`.
+  virtual void trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
+                     RayCounts& counts) = 0;
 };
 
 } // namespace abbe

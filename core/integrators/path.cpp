@@ -32,7 +32,7 @@ void Path::push(const Bundle& bundle, float weight) {
     target[b] = throughput_[static_cast<std::size_t>(b)] * weight;
 }
 
-void Path::trace(std::span<const CameraBundle> start, const Sampler& sampler, RadianceSums& sums,
+void Path::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
                  RayCounts& counts) {
   sampler_ = &sampler;
   sums_ = &sums;
@@ -40,11 +40,11 @@ void Path::trace(std::span<const CameraBundle> start, const Sampler& sampler, Ra
   const dvec2 u = sampler.pair(kWavelength);
   wavelengths_.begin_path(plan_.settings.jitter ? u.x : 0.5);
   band_choice_ = u.y;
-  for (const CameraBundle& first : start) {
-    bundle_ = first.bundle;
+  for (std::size_t i = 0; i < start.count; ++i) {
+    bundle_ = start.bundle(i);
     for (auto b = static_cast<std::size_t>(bundle_.first);
          b < static_cast<std::size_t>(bundle_.last); ++b)
-      throughput_[b] = plan_.live[b] * first.weight;
+      throughput_[b] = plan_.live[b] * start.bundles[i].weight;
     follow();
     while (!waiting_.empty()) {
       resume();

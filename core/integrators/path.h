@@ -19,7 +19,7 @@ public:
   /// Keeps references to all.
   Path(const Plan& plan, const World& world, const Lamps& lamps, double pixel_angle);
 
-  void trace(std::span<const CameraBundle> start, const Sampler& sampler, RadianceSums& sums,
+  void trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
              RayCounts& counts) override;
 
 private:

@@ -35,13 +35,13 @@ void Whitted::push(const Bundle& bundle, const float* throughput, float factor) 
     target[b] = throughput[b] * factor;
 }
 
-void Whitted::trace(std::span<const CameraBundle> start, const Sampler& sampler, RadianceSums& sums,
+void Whitted::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
                     RayCounts& counts) {
   const dvec2 u = sampler.pair(kWavelength);
   decisions_ = sampler.decisions();
   wavelengths_.begin_path(plan_.settings.jitter ? u.x : 0.5);
-  for (const CameraBundle& first : start)
-    push(first.bundle, plan_.live.data(), first.weight);
+  for (std::size_t i = 0; i < start.count; ++i)
+    push(start.bundle(i), plan_.live.data(), start.bundles[i].weight);
   while (!waiting_.empty()) {
     const Bundle bundle = waiting_.back();
     const float* stored = row(waiting_.size() - 1);

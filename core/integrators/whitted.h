@@ -16,7 +16,7 @@ class Whitted final : public CameraIntegrator {
 public:
   Whitted(const Scene& scene, const Plan& plan, const World& world, double pixel_angle);
 
-  void trace(std::span<const CameraBundle> start, const Sampler& sampler, RadianceSums& sums,
+  void trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
              RayCounts& counts) override;
 
 private:
