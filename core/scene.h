@@ -24,12 +24,14 @@ struct Camera {
 
   /// Diameter of the entrance pupil, in scene units. 0 leaves a real lens as open as it is.
   double aperture = 0.0;
-  std::optional<double> focus_distance; ///< from the eye, may be infinite; none: that of look_at
+  /// From the eye, may be infinite; none: that of look_at.
+  std::optional<double> focus_distance = std::nullopt;
 
-  std::optional<LensPrescription> lens;
-  std::optional<double> film_distance_mm; ///< behind the lens; it replaces the focus distance
-  std::optional<double> film_height_mm;   ///< none: as the field of view asks
-  bool lens_coating = true;               ///< no light is reflected inside the real lens
+  std::optional<LensPrescription> lens = std::nullopt;
+  /// From the real lens's last vertex; it replaces the focus distance.
+  std::optional<double> film_distance_mm = std::nullopt;
+  std::optional<double> film_height_mm = std::nullopt; ///< none: as the field of view asks
+  bool lens_coating = true; ///< no light is reflected inside the real lens
 };
 
 /// A scene as plain values. Nothing is looked up by name after reading.

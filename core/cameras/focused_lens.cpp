@@ -53,7 +53,7 @@ FocusedLens focused_lens(const Camera& camera, double mm_per_unit) {
   result.film_height =
       camera.film_height_mm.value_or(slope * paraxial.height_per_slope(result.film_distance));
   if (!(result.film_height > 0.0))
-    throw std::invalid_argument("its film is too near for a field of view; filmHeight is needed");
+    throw std::invalid_argument("no field of view fits its film there; filmHeight is needed");
   return result;
 }
 

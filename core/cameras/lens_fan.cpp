@@ -1,6 +1,7 @@
 #include "core/cameras/lens_fan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace abbe {
@@ -36,14 +37,31 @@ bool LensFan::stopped(Range range) {
          !band_ray((range.first + range.last) / 2);
 }
 
-bool LensFan::may_share(Range range) {
-  const auto &a = band_ray(range.first), &b = band_ray(range.last - 1);
-  if (!a || !b) return false;
-  if (glm::distance(a->ray.direction, b->ray.direction) > direction_limit_) return false;
+/// How far the rays of the first, the middle and the last band are apart; nothing where one of them
+/// is stopped. An achromat's colours turn back, so that the outermost alone say too little.
+std::optional<LensFan::Spread> LensFan::spread(Range range) {
+  const std::array bands{range.first, (range.first + range.last) / 2, range.last - 1};
   const double focus = camera_.focus_distance();
-  if (std::isinf(focus)) return true;
-  return glm::distance(a->ray.origin, b->ray.origin) <= position_limit_ &&
-         glm::distance(at_depth(a->ray, -focus), at_depth(b->ray, -focus)) <= position_limit_;
+  Spread most;
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    const auto& a = band_ray(bands[i]);
+    if (!a) return std::nullopt;
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto& b = band_ray(bands[j]);
+      most.direction = std::max(most.direction, glm::distance(a->ray.direction, b->ray.direction));
+      most.position = std::max(most.position, glm::distance(a->ray.origin, b->ray.origin));
+      if (!std::isinf(focus))
+        most.in_focus = std::max(most.in_focus,
+                                 glm::distance(at_depth(a->ray, -focus), at_depth(b->ray, -focus)));
+    }
+  }
+  return most;
+}
+
+bool LensFan::may_share(Range range) {
+  const auto apart = spread(range);
+  return apart && apart->direction <= direction_limit_ && apart->position <= position_limit_ &&
+         apart->in_focus <= position_limit_;
 }
 
 void LensFan::add(Range range, const std::optional<LensRay>& ray, double weight) {
@@ -59,10 +77,10 @@ void LensFan::add_shared(Range range) {
   const auto ray = traced(plan_.shared_wavelength_nm(range.first, range.last, wavelength_.x));
   if (!ray) return;
   add(range, ray, 1.0);
-  const auto &a = band_ray(range.first), &b = band_ray(range.last - 1);
+  const Spread apart = spread(range).value();
   CameraBundle& bundle = bundles_->back();
-  bundle.position_spread = glm::distance(a->ray.origin, b->ray.origin) / camera_.mm_per_unit();
-  bundle.direction_spread = glm::distance(a->ray.direction, b->ray.direction);
+  bundle.position_spread = apart.position / camera_.mm_per_unit();
+  bundle.direction_spread = apart.direction;
 }
 
 /// Halves ranges of bands, all of one size before the next smaller, until each may share a ray or
@@ -78,7 +96,9 @@ void LensFan::part(Range whole) {
     for (const Range& r : ranges_) {
       --waiting;
       if (stopped(r)) continue;
-      if (r.bands() > 1 && !may_share(r) && used + next_ranges_.size() + waiting + 2 <= most) {
+      const bool shares = r.bands() > 1 && may_share(r);
+      const bool may_part = used + next_ranges_.size() + waiting + 2 <= most;
+      if (r.bands() > 1 && !shares && may_part) {
         const int middle = r.first + r.bands() / 2;
         next_ranges_.push_back({r.first, middle});
         next_ranges_.push_back({middle, r.last});
@@ -87,7 +107,7 @@ void LensFan::part(Range whole) {
       ++used;
       if (r.bands() == 1) {
         add(r, band_ray(r.first), 1.0);
-      } else if (may_share(r)) {
+      } else if (shares) {
         add_shared(r);
       } else {
         const int skipped = static_cast<int>(wavelength_.y * r.bands());

@@ -9,7 +9,9 @@
 namespace abbe {
 
 /// Parts the bands of a camera sample where the lens bends each its own way, by the rules of Fan:
-///   tolerance: bands share a ray while those of the outermost two leave the lens close together;
+///   tolerance: bands share a ray while those of the outermost two, and of the middle one, leave
+///   the
+///     lens close together;
 ///   roulette: at most `max_fan` sub-bundles start; a range of bands that would need more keeps one
 ///   band, chosen uniformly, with the weight of all.
 ///
@@ -39,9 +41,15 @@ private:
     [[nodiscard]] int bands() const { return last - first; }
   };
 
+  struct Spread {
+    double direction = 0.0;                ///< rad
+    double position = 0.0, in_focus = 0.0; ///< mm, where they leave the lens and farther on
+  };
+
   [[nodiscard]] const std::optional<LensRay>& band_ray(int band);
   [[nodiscard]] std::optional<LensRay> traced(double lambda_nm);
   [[nodiscard]] bool stopped(Range range);
+  [[nodiscard]] std::optional<Spread> spread(Range range);
   [[nodiscard]] bool may_share(Range range);
   void part(Range whole);
   void add(Range range, const std::optional<LensRay>& ray, double weight);
