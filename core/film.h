@@ -15,21 +15,40 @@ namespace abbe {
 class Film {
 public:
   /// `bands` is 0 for XYZ alone, else the number of bands whose sums are kept too.
-  Film(PixelWindow window, double quantum, int bands);
+  /// With `keep_errors` the film keeps what `error` needs, 24 bytes more per pixel besides its 44.
+  Film(PixelWindow window, double quantum, int bands, bool keep_errors = false);
 
-  /// Adds one sample of a pixel inside the window. `radiance` holds one value per band when the
-  /// film keeps bands. Values that are not finite, negative ones and overflows are counted and
-  /// left out: they add nothing, though their sample counts. One pixel must not be added to by two
-  /// threads at once.
+  /// Adds one sample of a pixel inside the window; those of a pixel come in the sampler's order.
+  /// `radiance` holds one value per band when the film keeps bands. Values that are not finite,
+  /// negative ones and overflows are counted and left out: they add nothing, though their sample
+  /// counts. One pixel must not be added to by two threads at once.
   void add(int x, int y, const Xyz& color, bool covered, std::span<const float> radiance);
+
+  /// Makes room for splats.
+  void enable_splats();
+  /// Adds what a light path brings to a pixel inside the window, as a mean over the light paths of
+  /// one pass. Any number of threads may add at once.
+  void add_splat(int x, int y, const Xyz& color, std::span<const float> radiance);
+  /// Counts the light paths whose splats were added, in passes.
+  void add_light_passes(double passes) { light_passes_ += passes; }
 
   [[nodiscard]] const PixelWindow& window() const { return window_; }
   [[nodiscard]] int bands() const { return bands_; }
 
-  // Means over the samples of a pixel; 0 where there is none.
+  // Means over the samples of a pixel, and splats over the light passes; 0 where there is none.
   [[nodiscard]] Xyz color(int x, int y) const;
   [[nodiscard]] double alpha(int x, int y) const;
   [[nodiscard]] double radiance(int x, int y, int band) const;
+  [[nodiscard]] bool keeps_errors() const { return !first_sums_.empty(); }
+  /// The standard error of `color`, estimated from the difference of two parts of the pixel's n
+  /// samples: the first a, where a is the largest power of two below n, and the other b = n - a.
+  /// For parts with means A and B it is sqrt(a b) / n |A - B|, half the difference of equal halves.
+  /// Infinite with fewer than two samples. One degree of freedom: good in the mean over many
+  /// pixels only. The film must keep errors.
+  ///
+  /// Such parts, and not odd and even samples, are each as evenly spread as the sampler's
+  /// sequences are [Burley20]; docs/decisions/noise.md tells how much too large that is.
+  [[nodiscard]] Xyz error(int x, int y) const;
   [[nodiscard]] std::uint32_t samples(int x, int y) const { return counts_[index(x, y)]; }
 
   /// Samples that were refused.
@@ -46,13 +65,20 @@ private:
   /// True when the value can be summed; else the pixel's tally of refused samples grows.
   bool accept(double value, std::size_t pixel);
   void sum(std::int64_t& total, double value, std::size_t pixel);
+  void splat(std::int64_t& total, double value);
   [[nodiscard]] double mean(std::int64_t sum, std::size_t pixel) const;
+  /// Entry `i` of splats, as a mean; 0 where there are none.
+  [[nodiscard]] double splat_mean(const std::vector<std::int64_t>& splats, std::size_t i) const;
 
   PixelWindow window_;
   double quantum_;
   int bands_;
-  std::vector<std::int64_t> sums_;                    ///< X, Y, Z per pixel
-  std::vector<std::int64_t> band_sums_;               ///< per pixel, per band
+  std::vector<std::int64_t> sums_;                 ///< X, Y, Z per pixel
+  std::vector<std::int64_t> first_sums_;           ///< X, Y, Z of the first part of the samples
+  std::vector<std::int64_t> band_sums_;            ///< per pixel, per band
+  std::vector<std::int64_t> splats_, band_splats_; ///< as sums_, band_sums_; empty until asked for
+  double light_passes_ = 0.0;
+  Refused refused_splats_;
   std::vector<std::uint32_t> counts_;                 ///< samples per pixel
   std::vector<std::uint32_t> covered_;                ///< samples that met a surface
   std::vector<std::array<std::uint32_t, 3>> refused_; ///< per pixel, so that threads do not share

@@ -1,5 +1,6 @@
 #include "core/plan.h"
 
+#include "core/lights/emission.h"
 #include "core/plan_extent.h"
 #include "core/plan_lines.h"
 #include "core/plan_tiles.h"
@@ -71,6 +72,18 @@ std::vector<double> table_wavelengths(const Plan& plan) {
   return nm;
 }
 
+/// Paths follow what either part does. Light that it gives off is met by chance only.
+MaterialPlan planned_mixture(const Plan& plan, const Mixture& mixture) {
+  const MaterialPlan &a = plan.materials[mixture.first.index()],
+                     &b = plan.materials[mixture.second.index()];
+  MaterialPlan m;
+  m.reflects = a.reflects || b.reflects;
+  m.transmits = a.transmits || b.transmits;
+  m.lit = a.lit || b.lit;
+  m.mixture = {mixture.first.value, mixture.second.value, mixture.share};
+  return m;
+}
+
 void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
   const RenderSettings& settings = plan.settings;
   const std::vector<double> nm = table_wavelengths(plan);
@@ -101,9 +114,14 @@ void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
     m.reflects = largest(m.reflectivity) > static_cast<float>(settings.min_reflectivity);
     m.transmits = largest(m.transparency) > static_cast<float>(settings.min_transparency);
     m.lit = !m.diffuse.zero() || !m.specular.zero();
+    if (material.texture) {
+      m.texture = plan_texture(plan.textures, *material.texture, scene.images, nm, settings.skip);
+      m.lit = true;
+    }
     m.emits_behind = material.emits_behind;
     if (material.emission.constant_value() != 0.0)
       m.emission_source = sources.add(material.emission);
+    if (material.mixture) m = planned_mixture(plan, *material.mixture);
     plan.materials.push_back(std::move(m));
   }
 }
@@ -156,6 +174,39 @@ void find_live_bands(Plan& plan) {
                                    plan.settings.skip ? ": left out" : ": carried, as asked"));
 }
 
+/// Which lamps light paths begin at, if any.
+void plan_caustics(const Scene& scene, Plan& plan) {
+  const RenderSettings& settings = plan.settings;
+  if (settings.integrator != Integrator::path || settings.caustics == Caustics::off) return;
+  const std::size_t specular = specular_targets(scene, plan).size();
+  if (specular == 0) {
+    plan.notes.push_back("nothing mirrors or refracts: no light-side passes");
+    return;
+  }
+  for (const Light& light : scene.lights) {
+    if (!endless_flux(light)) continue;
+    if (settings.caustics == Caustics::on)
+      throw std::invalid_argument(fmt::format(
+          "the light {} has no flux that could be followed: it does not fall off with distance. "
+          "Give it falloff square, or leave caustics on out",
+          light.name.empty() ? "of a colour" : light.name));
+    plan.notes.push_back(fmt::format("the light {} does not fall off with distance, so it has no "
+                                     "flux: no caustics of it",
+                                     light.name.empty() ? "of a colour" : light.name));
+  }
+  const std::size_t emitters = Emission(scene, plan).emitters().size();
+  plan.caustics = emitters > 0;
+  // Light that comes through glass is counted where it is bent to.
+  if (plan.caustics && plan.settings.shadows == ShadowRule::attenuated)
+    plan.settings.shadows = ShadowRule::opaque;
+  plan.notes.push_back(emitters > 0
+                           ? fmt::format("light-side passes: {} of the lamps shine on things that "
+                                         "mirror or refract",
+                                         emitters)
+                           : "no lamp shines on anything that mirrors or refracts: no light-side "
+                             "passes");
+}
+
 void note_content(const Scene& scene, Plan& plan) {
   const auto count = [](std::size_t n, const char* one, const char* many) {
     return fmt::format("{} {}", n, n == 1 ? one : many);
@@ -172,10 +223,14 @@ void note_content(const Scene& scene, Plan& plan) {
   plan.notes.insert(plan.notes.begin(),
                     fmt::format("{} x {} pixels in {}, {}; {} of {:.3g} nm", plan.window.width(),
                                 plan.window.height(), count(plan.tiles.size(), "tile", "tiles"),
-                                count(static_cast<std::size_t>(settings.samples_per_pixel),
-                                      "sample a pixel", "samples a pixel"),
+                                (settings.adaptive() ? "at most " : "") +
+                                    count(static_cast<std::size_t>(settings.samples_per_pixel),
+                                          "sample a pixel", "samples a pixel"),
                                 count(static_cast<std::size_t>(settings.bands), "band", "bands"),
                                 plan.grid.width_nm()));
+  if (settings.noise > 0.0)
+    plan.notes.push_back(
+        fmt::format("each tile ends at an estimated relative error of {}", settings.noise));
   for (const Medium& medium : scene.media)
     if (!is_achromatic(medium.index))
       plan.notes.push_back(
@@ -209,6 +264,8 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
   if (settings.shadows == ShadowRule::automatic)
     plan.settings.shadows =
         settings.integrator == Integrator::path ? ShadowRule::opaque : ShadowRule::attenuated;
+  if (settings.samples_per_pixel == 0)
+    plan.settings.samples_per_pixel = settings.adaptive() ? kMostSamplesPerPixel : kSamplesPerPixel;
   plan.grid = BandGrid(settings.bands);
   plan.stride = padded_band_count(settings.bands);
 
@@ -230,6 +287,7 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
         fmt::format("the crop {},{},{},{} is not a part of the {} x {} image", plan.window.x0,
                     plan.window.y0, plan.window.x1, plan.window.y1, full.x1, full.y1));
   plan.tiles = make_tiles(scene, plan.window, settings);
+  plan_caustics(scene, plan);
   plan.quantum = film_quantum(scene, plan.grid, settings.observer);
   note_content(scene, plan);
   return plan;

@@ -2,6 +2,7 @@
 
 #include "core/band_table.h"
 #include "core/index_table.h"
+#include "core/materials/texture_plan.h"
 #include "core/scene.h"
 #include "geometry/ray_state.h"
 #include "spectral/color.h"
@@ -19,6 +20,12 @@ struct SourcePlan {
   BandTable factor;
 };
 
+/// Mixture by index into Plan::materials.
+struct MixturePlan {
+  int first = -1, second = -1; ///< negative: no mixture
+  double share = 0.0;
+};
+
 /// A material at the bands, and which of its parts are there at all.
 struct MaterialPlan {
   BandTable ambient, diffuse, specular, reflectivity, transparency;
@@ -30,7 +37,13 @@ struct MaterialPlan {
   bool reflects = false, transmits = false, lit = false; ///< what paths follow
   bool emits_behind = true;
   int emission_source = -1; ///< index into Plan::sources; negative: emits nothing
+  int texture = -1;         ///< index into TexturePlans::textures; negative: `diffuse` holds
+  /// Of a mixture only the flags count, which are those of either part; see part_of.
+  MixturePlan mixture;
 
+  [[nodiscard]] bool mixed() const { return mixture.first >= 0; }
+  /// True when some light goes on along the one reflected or refracted ray.
+  [[nodiscard]] bool specular_part() const { return reflects || transmits; }
   /// True when a ray that meets the surface sees light that it gives off.
   [[nodiscard]] bool emits(const Hit& hit) const {
     return emission_source >= 0 && (hit.entering || emits_behind);
@@ -70,12 +83,15 @@ struct Plan {
   std::vector<SourcePlan> sources; ///< background, ambient light, the lamps, emitting materials
   std::vector<AccumulatorPlan> accumulators;
   std::vector<MaterialPlan> materials; ///< by MaterialId
-  std::vector<MediumPlan> media;       ///< by MediumId
+  TexturePlans textures;
+  std::vector<MediumPlan> media; ///< by MediumId
   MediumPlan vacuum;
 
   PixelWindow window; ///< what is rendered
   std::vector<Tile> tiles;
   double quantum = 1.0; ///< of the film's sums
+
+  bool caustics = false; ///< light-side passes have something to do
 
   std::vector<std::string> notes; ///< what was found and what is left out, for people
 

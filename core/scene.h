@@ -46,6 +46,7 @@ struct Scene {
   std::vector<Material> materials; ///< by MaterialId
   std::vector<Medium> media;       ///< by MediumId
   std::vector<Light> lights;
+  std::vector<ReflectanceImage> images; ///< of textures
 
   Curve background = Curve::constant(0.0);     ///< radiance where a ray meets nothing
   Curve global_ambient = Curve::constant(0.0); ///< the thesis's stand-in for indirect light

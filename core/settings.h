@@ -21,9 +21,15 @@ enum class Integrator : std::uint8_t { whitted, path };
 /// behind glass themselves.
 enum class ShadowRule : std::uint8_t { none, opaque, attenuated, automatic };
 
+/// Whether light that reaches a surface by mirrors and glass is found from its lamps, with `path`.
+/// `automatic`: from all lamps that can send out light paths; `on`: an error where one cannot.
+enum class Caustics : std::uint8_t { automatic, on, off };
+
 /// The reconstruction filter, sampled in proportion to its value; `gaussian` has a standard
 /// deviation of half a pixel and ends at 1.5 pixels, `tent` ends at 1, `box` at half a pixel.
 enum class PixelFilter : std::uint8_t { box, tent, gaussian };
+
+inline constexpr int kSamplesPerPixel = 16, kMostSamplesPerPixel = 4096;
 
 /// Everything about a rendering that is not the scene itself. A scene file may set it, the command
 /// line overrides it.
@@ -32,7 +38,12 @@ struct RenderSettings {
   std::optional<PixelWindow> crop; ///< only these pixels are rendered
   int bands = 81;
   Observer observer = Observer::cie1931_2deg; ///< whose eye makes colours of the bands
-  int samples_per_pixel = 16;
+  /// The most that a pixel gets. 0, which is never in a plan, stands for `kSamplesPerPixel`, or for
+  /// `kMostSamplesPerPixel` where noise or time says when to stop.
+  int samples_per_pixel = 0;
+  double noise = 0.0;       ///< a tile is done when its `relative_error` is at most this; 0: never
+  double seconds = 0.0;     ///< the rendering ends after this time; 0: never
+  bool keep_errors = false; ///< errors are estimated, even if neither noise nor time ends it
   std::uint64_t seed = 0;
   Integrator integrator = Integrator::whitted;
   PixelFilter filter = PixelFilter::gaussian;
@@ -43,10 +54,17 @@ struct RenderSettings {
   double min_transparency = 0.0; ///< the thesis's: no refracted ray through surfaces below it
   ShadowRule shadows = ShadowRule::automatic;
 
+  Caustics caustics = Caustics::automatic;
+  double light_paths = 1.0;   ///< light paths per camera sample
+  double photon_radius = 0.0; ///< of the first pass, in scene units; 0: by the scene's size
+
   bool exact = false;             ///< every band its own ray: neither tolerance nor roulette
   bool jitter = true;             ///< wavelengths drawn inside the bands instead of their centres
   double tolerance_pixels = 0.25; ///< bands share a ray while their spread is below this
   int max_fan = 8;                ///< at most so many sub-bundles of one path are followed
+
+  /// True where pixels may end with different numbers of samples.
+  [[nodiscard]] bool adaptive() const { return noise > 0.0 || seconds > 0.0; }
 
   int threads = 0;  ///< 0: one per processor
   bool skip = true; ///< leave out what the plan finds to be without effect

@@ -49,6 +49,14 @@ struct ShapeCrossing {
   double t_error = 0.0;
   FaceId face;
   bool entering = false; ///< from outside to inside; of a flat shape: against its normal
+
+  /// One by one: assigned as a whole, a copy would wait for the values to reach the cache.
+  void set(double at, double error, FaceId on, bool enters) {
+    t = at;
+    t_error = error;
+    face = on;
+    entering = enters;
+  }
 };
 
 /// What a ray already knows about a shape: whether it is inside, and whether its origin lies on
@@ -59,41 +67,74 @@ struct ShapeState {
   FaceId face;
 };
 
+// Finds the next crossing, see `next_crossing`, unless it lies at `farthest` or beyond. For the
+// innermost loops: the result is written to the caller's place.
+template <FlatShape S>
+[[nodiscard]] bool find_next(const S& shape, const RayInFrame auto& ray, const ShapeState& state,
+                             double farthest, ShapeCrossing& next) {
+  if (state.touching) return false; // never met again
+  const auto root = intersect(shape, ray, 0.0, farthest);
+  if (!root) return false;
+  next.set(root->t, root->t_error, root->face, ray.direction.z < 0.0);
+  return true;
+}
+template <ConvexSolid S>
+[[nodiscard]] bool find_next(const S& solid, const RayInFrame auto& ray, const ShapeState& state,
+                             double farthest, ShapeCrossing& next) {
+  if (state.touching && !state.inside) return false; // convex: never met again
+  const FaceContact touched{state.face.face, Side::inside};
+  const FaceContact* contact = state.touching ? &touched : nullptr;
+  const auto inside = [&] {
+    if constexpr (PlaneFaced<S>)
+      return plane_interval(solid, ray, contact);
+    else
+      return intersect(solid, ray, contact);
+  }();
+  const auto error = [&](const auto& root) {
+    if constexpr (PlaneFaced<S>)
+      return root_error(solid, ray, root);
+    else
+      return root.t_error;
+  };
+  const auto face = [](const auto& root) {
+    if constexpr (PlaneFaced<S>)
+      return FaceId{0, root.face};
+    else
+      return root.face;
+  };
+  if (state.inside) {
+    // The exit is endless only for a ray that runs out through the face it should run in from.
+    if (!inside || inside->exit.t == kInfinity) {
+      next.set(0.0, 0.0, {0, nearest_face(solid, ray.origin)}, false);
+      return true;
+    }
+    const auto& exit = inside->exit;
+    next.set(exit.t > 0.0 ? exit.t : 0.0, error(exit), face(exit), false);
+    return true;
+  }
+  if (!inside || inside->exit.t < 0.0 || inside->enter.t >= farthest) return false;
+  const auto& enter = inside->enter;
+  const double enter_error = error(enter);
+  // Behind the origin by no more than rounding, with the solid ahead: it is entered here.
+  if (enter.t < 0.0 && !(-enter.t <= enter_error && inside->exit.t > -enter.t)) return false;
+  next.set(enter.t >= 0.0 ? enter.t : 0.0, enter_error, face(enter), true);
+  return true;
+}
+
 // The next crossing of one shape, t >= 0. A ray known to be inside always finds a way out: where
 // rounding leaves none, it is at t = 0 through the nearest face. A ray known to be outside only
-// enters. The root of the touched face is never computed.
+// enters; a mesh at t = 0 where its crossings ahead show that rounding has let the ray slip in. The
+// root of the touched face is never computed.
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& ray,
                                                          const ShapeState& state);
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const Mesh& mesh, const LocalRay& ray,
                                                          const ShapeState& state);
-template <FlatShape S>
+template <class S>
+requires FlatShape<S> || ConvexSolid<S>
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const S& shape, const LocalRay& ray,
                                                          const ShapeState& state) {
-  if (state.touching) return std::nullopt;
-  const auto root = intersect(shape, ray);
-  if (!root || root->t < 0.0) return std::nullopt;
-  return ShapeCrossing{root->t, root->t_error, root->face, ray.direction.z < 0.0};
-}
-template <ConvexSolid S>
-[[nodiscard]] std::optional<ShapeCrossing> next_crossing(const S& solid, const LocalRay& ray,
-                                                         const ShapeState& state) {
-  if (state.touching && !state.inside) return std::nullopt; // convex: never met again
-  const FaceContact contact{state.face.face, Side::inside};
-  const auto interval = intersect(solid, ray, state.touching ? &contact : nullptr);
-  if (state.inside) {
-    // The exit is endless only for a ray that runs out through the face it should run in from.
-    if (!interval || interval->exit.t == kInfinity)
-      return ShapeCrossing{0.0, 0.0, {0, nearest_face(solid, ray.origin)}, false};
-    const Root& exit = interval->exit;
-    return ShapeCrossing{exit.t > 0.0 ? exit.t : 0.0, exit.t_error, exit.face, false};
-  }
-  if (!interval) return std::nullopt;
-  const Root& enter = interval->enter;
-  if (enter.t >= 0.0) return ShapeCrossing{enter.t, enter.t_error, enter.face, true};
-  // Behind the origin by no more than rounding, with the solid ahead: it is entered here.
-  if (-enter.t <= enter.t_error && interval->exit.t > -enter.t)
-    return ShapeCrossing{0.0, enter.t_error, enter.face, true};
-  return std::nullopt;
+  ShapeCrossing next;
+  return find_next(shape, ray, state, kInfinity, next) ? std::optional(next) : std::nullopt;
 }
 
 } // namespace abbe

@@ -13,9 +13,9 @@ namespace {
 // A member added to the struct does not compile here until it is added to the comparison.
 auto members(const Material& m) {
   const auto& [name, ambient, diffuse, specular, emission, emits_behind, exponent, reflectivity,
-               transparency, fresnel, metal] = m;
+               transparency, fresnel, metal, texture, mixture] = m;
   return std::tie(name, ambient, diffuse, specular, emission, emits_behind, exponent, reflectivity,
-                  transparency, fresnel, metal);
+                  transparency, fresnel, metal, texture, mixture);
 }
 
 auto members(const Medium& m) {

@@ -2,11 +2,13 @@
 
 #include "core/scene.h"
 #include "io/read_arguments.h"
+#include "io/read_mesh.h"
 #include "io/read_scene_libraries.h"
 #include "io/token.h"
 #include "spectral/color.h"
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -49,6 +51,12 @@ struct BooleanScope {
   std::vector<CsgTree> operands;
 };
 
+/// A material that the scene gave a name.
+struct NamedMaterial {
+  std::string name;
+  CurrentMaterial material;
+};
+
 /// Statements by name; the last token is an `end`.
 struct Macro {
   std::string name;
@@ -72,6 +80,7 @@ struct CameraLensState {
 struct SceneState {
   Scene scene;
   SceneLibraries libraries;
+  MeshFiles meshes;
   Warn warn;
 
   Transform transform;
@@ -81,6 +90,8 @@ struct SceneState {
   CurrentLight light;
   BooleanScope* boolean = nullptr; ///< the innermost one that is open
 
+  std::vector<NamedMaterial> named;
+  std::map<std::filesystem::path, std::size_t> images; ///< those read, by their index in the scene
   std::vector<Macro> macros;
   std::vector<std::string> open_macros;          ///< being used, each by the one before it
   std::vector<std::filesystem::path> open_files; ///< being read, each included by the one before
@@ -104,7 +115,10 @@ struct SceneKeyword {
 [[nodiscard]] std::span<const SceneKeyword> camera_lens_keywords();
 [[nodiscard]] std::span<const SceneKeyword> transform_keywords();
 [[nodiscard]] std::span<const SceneKeyword> material_keywords();
+[[nodiscard]] std::span<const SceneKeyword> texture_keywords();
+[[nodiscard]] std::span<const SceneKeyword> mixture_keywords();
 [[nodiscard]] std::span<const SceneKeyword> light_keywords();
+[[nodiscard]] std::span<const SceneKeyword> light_path_keywords();
 [[nodiscard]] std::span<const SceneKeyword> shape_keywords();
 [[nodiscard]] std::span<const SceneKeyword> lens_keywords();
 [[nodiscard]] std::span<const SceneKeyword> boolean_keywords();
@@ -141,6 +155,20 @@ void warn_at(const SceneState& state, const SourcePosition& where, const std::st
 
 /// Three numbers, each 0 or more: linear sRGB.
 [[nodiscard]] LinearRgb read_rgb(Arguments& arguments);
+
+/// The same for a reflectance, whose components count as 1 where they are more, with a warning.
+[[nodiscard]] LinearRgb read_fraction_rgb(SceneState& state, Arguments& arguments);
+
+/// The material of this name that the scene has made, else the library's; `where` is for warnings.
+/// Throws ReadError.
+[[nodiscard]] CurrentMaterial named_material(SceneState& state, const SourcePosition& where,
+                                             const Token& name);
+
+/// Throws where the current material is a mixture, which has no finish to be changed.
+void require_unmixed(const SceneState& state, const Arguments& arguments);
+
+/// Warns once of a glass whose formula was not fitted for all wavelengths of a picture.
+void warn_of_extrapolation(SceneState& state, const SourcePosition& where, const Glass& glass);
 
 /// The material that the keyword `glass` sets. Warns of a glass that is extrapolated.
 [[nodiscard]] CurrentMaterial clear_glass(SceneState& state, const SourcePosition& where,

@@ -40,12 +40,35 @@ bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
     const MaterialPlan& material = plan_.materials[hit->material.index()];
     if (!material.transmits) return false;
     const double cos_i = std::min(1.0, std::abs(glm::dot(hit->normal, state.ray.direction)));
-    attenuate_straight(material, cos_i, wavelengths.indices(hit->medium_before),
-                       wavelengths.indices(hit->medium_after), first, last, transmittance_.data());
+    pass(material, cos_i, wavelengths.indices(hit->medium_before),
+         wavelengths.indices(hit->medium_after), first, last, transmittance_);
     state.ray.origin = hit->point;
     state.contacts = hit->other_side;
     state.nesting = hit->nesting_after;
     distance -= hit->t;
+  }
+}
+
+/// A mixture lets through the mean of what its parts do.
+void ShadowRays::pass(const MaterialPlan& material, double cos_i, const double* n_before,
+                      const double* n_after, int first, int last, std::vector<float>& light) {
+  if (!material.mixed()) {
+    if (material.transmits)
+      attenuate_straight(material, cos_i, n_before, n_after, first, last, light.data());
+    else
+      std::fill(light.begin() + first, light.begin() + last, 0.0f);
+    return;
+  }
+  const MixturePlan& mix = material.mixture;
+  std::vector<float> other = light;
+  pass(plan_.materials[static_cast<std::size_t>(mix.first)], cos_i, n_before, n_after, first, last,
+       light);
+  pass(plan_.materials[static_cast<std::size_t>(mix.second)], cos_i, n_before, n_after, first, last,
+       other);
+  const auto share = static_cast<float>(mix.share);
+  for (int b = first; b < last; ++b) {
+    const auto i = static_cast<std::size_t>(b);
+    light[i] = share * light[i] + (1.0f - share) * other[i];
   }
 }
 

@@ -22,6 +22,8 @@ public:
 private:
   [[nodiscard]] bool attenuate(RayState state, double distance, int first, int last,
                                PathWavelengths& wavelengths, RayCounts& counts);
+  void pass(const MaterialPlan& material, double cos_i, const double* n_before,
+            const double* n_after, int first, int last, std::vector<float>& light);
 
   const Plan& plan_;
   const World& world_;

@@ -4,6 +4,7 @@
 #include "core/lights/illumination.h"
 #include "core/materials/conductor.h"
 #include "core/materials/fresnel.h"
+#include "core/materials/surface_finish.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +21,8 @@ constexpr double kSurePart = 1.0 / 8.0;
 
 Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, double pixel_angle)
     : scene_(scene), plan_(plan), world_(world), wavelengths_(plan), fan_(plan, world, pixel_angle),
-      shadow_rays_(plan, world), ones_(1.0f, plan.grid.count()), throughput_(plan.stride),
-      lit_(plan.stride) {
+      shadow_rays_(plan, world), ones_(1.0f, plan.grid.count()), textured_(0.0f, plan.grid.count()),
+      throughput_(plan.stride), lit_(plan.stride) {
   scatter_.reflected.resize(plan.stride);
   scatter_.transmitted.resize(plan.stride);
 }
@@ -47,24 +48,30 @@ void Whitted::trace(const CameraPaths& start, const Sampler& sampler, RadianceSu
     const float* stored = row(waiting_.size() - 1);
     std::copy(stored + bundle.first, stored + bundle.last, throughput_.begin() + bundle.first);
     waiting_.pop_back();
-    shade(bundle, sums, counts);
-    if (bundle.hit && bundle.depth < plan_.settings.max_depth) scatter(bundle, u.y, counts);
+    if (!bundle.hit) {
+      add_background(bundle, sums);
+      continue;
+    }
+    const MaterialPlan* material = &plan_.materials[bundle.hit->material.index()];
+    if (material->mixed()) material = &part_of(plan_, *material, decisions_.next());
+    shade(bundle, *material, sums, counts);
+    if (bundle.depth < plan_.settings.max_depth) scatter(bundle, *material, u.y, counts);
   }
 }
 
-void Whitted::shade(const Bundle& bundle, RadianceSums& sums, RayCounts& counts) {
+void Whitted::add_background(const Bundle& bundle, RadianceSums& sums) {
+  absorb(plan_.medium(world_.medium_of(bundle.state.nesting)), kInfinity, bundle.first, bundle.last,
+         throughput_.data());
+  sums.add(Plan::kBackground, throughput_.data(), ones_, 1.0f, bundle.first, bundle.last);
+}
+
+void Whitted::shade(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
+                    RayCounts& counts) {
   const auto add = [&](int source, const BandTable& factor) {
     sums.add(source, throughput_.data(), factor, 1.0f, bundle.first, bundle.last);
   };
-  if (!bundle.hit) {
-    absorb(plan_.medium(world_.medium_of(bundle.state.nesting)), kInfinity, bundle.first,
-           bundle.last, throughput_.data());
-    add(Plan::kBackground, ones_);
-    return;
-  }
   const Hit& hit = *bundle.hit;
   absorb(plan_.medium(hit.medium_before), hit.t, bundle.first, bundle.last, throughput_.data());
-  const MaterialPlan& material = plan_.materials[hit.material.index()];
   if (material.emits(hit)) add(material.emission_source, ones_);
   if (!material.ambient.zero()) add(Plan::kAmbient, material.ambient);
   if (material.lit) add_lamps(bundle, material, sums, counts);
@@ -73,6 +80,7 @@ void Whitted::shade(const Bundle& bundle, RadianceSums& sums, RayCounts& counts)
 void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
                         RayCounts& counts) {
   const Hit& hit = *bundle.hit;
+  const BandTable& diffuse = diffuse_at(plan_, world_, material, hit, textured_);
   const dvec3 to_eye = -bundle.state.ray.direction;
   const dvec3 normal = hit.entering ? hit.normal : -hit.normal;
   for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
@@ -86,8 +94,8 @@ void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, Radi
     for (int b = bundle.first; b < bundle.last; ++b)
       lit_[static_cast<std::size_t>(b)] = throughput_[static_cast<std::size_t>(b)] * arriving[b];
     const int source = plan_.light_source(i);
-    if (!material.diffuse.zero())
-      sums.add(source, lit_.data(), material.diffuse, static_cast<float>(light.strength * lambert),
+    if (!diffuse.zero())
+      sums.add(source, lit_.data(), diffuse, static_cast<float>(light.strength * lambert),
                bundle.first, bundle.last);
     if (!material.specular.zero()) {
       const dvec3 half = glm::normalize(to_eye + light.direction);
@@ -121,9 +129,9 @@ double Whitted::chance(double importance, int bands) const {
   return std::min(1.0, sub_bundles / kSurePart);
 }
 
-void Whitted::scatter(const Bundle& bundle, double choice, RayCounts& counts) {
+void Whitted::scatter(const Bundle& bundle, const MaterialPlan& material, double choice,
+                      RayCounts& counts) {
   const Hit& hit = *bundle.hit;
-  const MaterialPlan& material = plan_.materials[hit.material.index()];
   if (!material.reflects && !material.transmits) return;
   const double cos_i = std::min(1.0, std::abs(glm::dot(hit.normal, bundle.state.ray.direction)));
   if (material.conductor) {

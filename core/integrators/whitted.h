@@ -24,10 +24,13 @@ private:
   void push(const Bundle& bundle, const float* throughput, float factor);
   [[nodiscard]] float* row(std::size_t i) { return throughputs_.data() + i * plan_.stride; }
 
-  void shade(const Bundle& bundle, RadianceSums& sums, RayCounts& counts);
+  void add_background(const Bundle& bundle, RadianceSums& sums);
+  void shade(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
+             RayCounts& counts);
   void add_lamps(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
                  RayCounts& counts);
-  void scatter(const Bundle& bundle, double choice, RayCounts& counts);
+  void scatter(const Bundle& bundle, const MaterialPlan& material, double choice,
+               RayCounts& counts);
   void reflect(const Bundle& bundle, const float* factors, RayCounts& counts);
   void refract(const Bundle& bundle, double choice, RayCounts& counts);
   [[nodiscard]] double importance(const float* throughput, const float* factors, int first,
@@ -41,7 +44,7 @@ private:
   Fan fan_;
   ShadowRays shadow_rays_;
   DielectricScatter scatter_;
-  BandTable ones_;
+  BandTable ones_, textured_;
   DecisionStream decisions_;
 
   std::vector<Bundle> waiting_;

@@ -20,7 +20,7 @@ double brought(const float* throughput, const float* factors, int first, int las
 }
 
 /// A direction with density cos / pi about z, by projecting a disc of concentric rings up
-/// [Shirley97; Malley88].
+/// [Shirley97].
 dvec3 cosine_direction(const dvec2& u) {
   const dvec2 d = 2.0 * u - 1.0;
   if (d.x == 0.0 && d.y == 0.0) return {0.0, 0.0, 1.0};
@@ -33,15 +33,16 @@ dvec3 cosine_direction(const dvec2& u) {
 
 } // namespace
 
-Scattering::Scattering(const Plan& plan) : plan_(plan) {
+Scattering::Scattering(const Plan& plan, Transport transport) : plan_(plan), transport_(transport) {
   factors_.reflected.resize(plan.stride);
   factors_.transmitted.resize(plan.stride);
 }
 
-void Scattering::prepare(const MaterialPlan& material, const Hit& hit, const dvec3& direction,
-                         int first, int last, const float* throughput,
-                         PathWavelengths& wavelengths) {
+void Scattering::prepare(const MaterialPlan& material, const BandTable& diffuse_table,
+                         const Hit& hit, const dvec3& direction, int first, int last,
+                         const float* throughput, PathWavelengths& wavelengths) {
   material_ = &material;
+  diffuse_ = &diffuse_table;
   hit_ = &hit;
   first_ = first;
   last_ = last;
@@ -54,7 +55,7 @@ void Scattering::prepare(const MaterialPlan& material, const Hit& hit, const dve
   if (material.lit) {
     frame_ = Frame(hit.entering ? hit.normal : -hit.normal);
     to_eye_ = frame_.to_local(-direction);
-    const double diffuse = brought(throughput, material.diffuse.data(), first, last);
+    const double diffuse = brought(throughput, diffuse_table.data(), first, last);
     const double specular = brought(throughput, material.specular.data(), first, last);
     spread_ = diffuse + specular;
     lambert_ = spread_ > 0.0 ? diffuse / spread_ : 1.0;
@@ -72,10 +73,11 @@ void Scattering::find_smooth_parts(const float* throughput, PathWavelengths& wav
   if (material.dielectric) {
     const double* before = wavelengths.indices(hit_->medium_before);
     const double* after = wavelengths.indices(hit_->medium_after);
-    scatter_dielectric(material, cos_i, before, after, first_, last_, factors_);
+    scatter_dielectric(material, cos_i, before, after, first_, last_, factors_, transport_);
     // Radiance in a dense medium is n^2 times that outside and will lose this again: what counts
     // is the flux.
-    const double eta = after[first_] / before[first_];
+    const int b = std::max(first_, plan_.live_first); // whether or not dead bands are carried
+    const double eta = transport_ == Transport::radiance ? after[b] / before[b] : 1.0;
     if (material.transmits)
       refract_ = eta * eta * brought(throughput, factors_.transmitted.data(), first_, last_);
   } else if (material.conductor) {
@@ -97,6 +99,14 @@ Scattering::Choice Scattering::choose(double u) const {
   return {};
 }
 
+Scattering::Choice Scattering::choose_specular(double u) const {
+  const double sum = reflect_ + refract_;
+  if (!(sum > 0.0)) return {};
+  const double share = reflect_ / sum;
+  if (refract_ == 0.0 || u < share) return {ScatterKind::reflect, share};
+  return {ScatterKind::refract, refract_ / sum};
+}
+
 /// Of Blinn's half vector: (e + 1) / (2 pi) cos^e about z, over four times the cosine between the
 /// eye and it.
 double Scattering::phong_density(const dvec3& local) const {
@@ -111,7 +121,7 @@ double Scattering::evaluate(const dvec3& towards, float* f_cos) const {
   const double cosine = glm::dot(towards, frame_.z);
   if (!(cosine > 0.0)) return 0.0;
   const float lambert = static_cast<float>(cosine / kPi);
-  const float* diffuse = material_->diffuse.data();
+  const float* diffuse = diffuse_->data();
   for (int b = first_; b < last_; ++b)
     f_cos[b] = diffuse[b] * lambert;
   double density = lambert_ * cosine / kPi;

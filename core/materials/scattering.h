@@ -22,12 +22,14 @@ enum class ScatterKind : std::uint8_t { none, reflect, refract, spread };
 /// band, and the part that spreads light as a function of direction.
 class Scattering {
 public:
-  explicit Scattering(const Plan& plan);
+  Scattering(const Plan& plan, Transport transport);
 
-  /// Prepares for bands [first, last) of a ray along `direction` that meets `hit`. The parts are
-  /// chosen in proportion to what they would bring of `throughput`, summed over the bands.
-  void prepare(const MaterialPlan& material, const Hit& hit, const dvec3& direction, int first,
-               int last, const float* throughput, PathWavelengths& wavelengths);
+  /// Prepares for bands [first, last) of a ray along `direction` that meets `hit`, where the
+  /// diffuse reflectance is `diffuse` (see diffuse_at), which stays in use. The parts are chosen in
+  /// proportion to what they would bring of `throughput`, summed over the bands.
+  void prepare(const MaterialPlan& material, const BandTable& diffuse, const Hit& hit,
+               const dvec3& direction, int first, int last, const float* throughput,
+               PathWavelengths& wavelengths);
 
   /// True when some of the light is spread, so that lamps can be aimed at.
   [[nodiscard]] bool spreads() const { return spread_ > 0.0; }
@@ -43,6 +45,8 @@ public:
     double chance = 1.0;
   };
   [[nodiscard]] Choice choose(double u) const;
+  /// The same among the reflected and the refracted ray alone.
+  [[nodiscard]] Choice choose_specular(double u) const;
 
   /// Factors on radiance that comes along the reflected and the refracted ray.
   [[nodiscard]] const float* reflected() const { return factors_.reflected.data(); }
@@ -63,7 +67,9 @@ private:
   [[nodiscard]] double phong_density(const dvec3& local) const;
 
   const Plan& plan_;
+  Transport transport_;
   const MaterialPlan* material_ = nullptr;
+  const BandTable* diffuse_ = nullptr;
   const Hit* hit_ = nullptr;
   int first_ = 0, last_ = 0;
   Frame frame_{dvec3(0.0, 0.0, 1.0)}; ///< z: the normal on the side that the ray comes from

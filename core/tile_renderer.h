@@ -1,0 +1,69 @@
+#pragma once
+
+#include "core/cameras/lens_fan.h"
+#include "core/cameras/placed_camera.h"
+#include "core/film.h"
+#include "core/integrators/integrator.h"
+#include "core/light_pass.h"
+#include "core/lights/lamps.h"
+#include "core/plan.h"
+#include "core/radiance_sums.h"
+#include "core/sampler.h"
+#include "core/statistics.h"
+#include "geometry/world.h"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace abbe {
+
+/// Which samples of each pixel are to be rendered: [first, last).
+struct SampleRange {
+  int first, last;
+};
+
+/// Renders tiles on one thread.
+class TileRenderer {
+public:
+  /// Keeps references to all; `light_passes` is null where there are none.
+  TileRenderer(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
+               const LightPasses* light_passes, const PlacedCamera& camera, Film& film);
+
+  /// Adds the samples of every pixel of the tile to the film.
+  RayCounts render(const Tile& tile, SampleRange samples, RayRecord* record);
+
+private:
+  static constexpr std::size_t kPacketWidth = 16;
+
+  struct CameraSample {
+    int x, y;
+    Sampler sampler;
+  };
+
+  [[nodiscard]] dvec2 film_position(const CameraSample& sample) const;
+  /// One ray for all bands of each sample.
+  void start_undivided();
+  /// As many rays for each sample as the lens parts its bands into, or none.
+  void start_through_lens();
+  void finish_batch(bool empty, RayCounts& counts);
+  void trace_sample(const CameraSample& sample, const CameraPaths& start, RayCounts& counts);
+
+  const Plan& plan_;
+  const World& world_;
+  const PlacedCamera& camera_;
+  Film& film_;
+  std::unique_ptr<CameraIntegrator> integrator_;
+  RadianceSums sums_;
+  std::vector<CameraSample> batch_;
+  std::optional<LensFan> lens_fan_;
+  std::array<std::size_t, kPacketWidth> ends_{}; ///< of each sample's bundles in the lists below
+  const CameraBundle undivided_; ///< what a sample starts with where no lens parts its bands
+  std::vector<CameraBundle> bundles_;
+  std::vector<RayState> states_;
+  std::vector<std::optional<Hit>> hits_;
+};
+
+} // namespace abbe
