@@ -2,6 +2,7 @@
 
 #include "geometry/ray_state.h"
 
+#include <cstddef>
 #include <optional>
 
 namespace abbe {
@@ -24,6 +25,34 @@ struct Bundle {
   double direction_spread = 0.0;
 
   [[nodiscard]] int bands() const { return last - first; }
+};
+
+/// One of the bundles that a camera sample starts with; its ray and what that meets lie beside it.
+/// A sample's bands have one bundle together, unless a lens has parted them; bands that are not in
+/// any carry nothing.
+struct CameraBundle {
+  int first = 0, last = 0;                              ///< bands [first, last)
+  float weight = 1.0f;                                  ///< on what its bands carry
+  double position_spread = 0.0, direction_spread = 0.0; ///< as of a Bundle
+};
+
+/// The bundles of one camera sample with their rays, and what those meet.
+struct CameraPaths {
+  const CameraBundle* bundles;
+  const RayState* states;
+  const std::optional<Hit>* hits;
+  std::size_t count;
+
+  [[nodiscard]] Bundle bundle(std::size_t i) const {
+    Bundle start;
+    start.first = bundles[i].first;
+    start.last = bundles[i].last;
+    start.state = states[i];
+    start.hit = hits[i];
+    start.position_spread = bundles[i].position_spread;
+    start.direction_spread = bundles[i].direction_spread;
+    return start;
+  }
 };
 
 } // namespace abbe

@@ -79,14 +79,14 @@ double photon_radius(double first_radius, int pass) {
 }
 
 LightPasses::LightPasses(const Scene& scene, const Plan& plan, const World& world,
-                         const CameraRays& camera, Film& film)
+                         const CameraRays* camera, Film& film)
     : plan_(plan), world_(world), camera_(camera), film_(film),
-      emission_(plan.caustics ? Emission(scene, plan) : Emission()), map_(true),
+      emission_(plan.caustics ? Emission(scene, plan) : Emission()), map_(camera != nullptr),
       largest_radius_(kLargestPart * scene_size(scene)), first_radius_(plan.settings.photon_radius),
       begun_(emission_.emitters().size(), 0) {
   if (!needed()) return;
   emission_.place(world);
-  film.enable_splats();
+  if (camera_) film.enable_splats();
 }
 
 RayCounts LightPasses::run(int pass, int samples, const std::atomic<bool>& stop,
@@ -106,7 +106,7 @@ RayCounts LightPasses::run(int pass, int samples, const std::atomic<bool>& stop,
   std::atomic<std::size_t> done = 0;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks.size(), 1), [&](const auto& range) {
     const DenormalsOff denormals_off;
-    LightPaths walker(plan_, world_, &camera_, film_);
+    LightPaths walker(plan_, world_, camera_, film_);
     for (std::size_t c = range.begin(); c < range.end() && !stop; ++c) {
       const Chunk& chunk = chunks[c];
       const std::size_t e = chunk.emitter;

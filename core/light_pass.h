@@ -14,8 +14,9 @@ namespace abbe {
 /// followed as the plan says; they add splats to the film and fill the photon map anew.
 class LightPasses {
 public:
-  /// Keeps references.
-  LightPasses(const Scene& scene, const Plan& plan, const World& world, const CameraRays& camera,
+  /// Keeps references. Splats need a pinhole; `camera` is null for others, whose paths then look
+  /// up photons where they would have been splatted.
+  LightPasses(const Scene& scene, const Plan& plan, const World& world, const CameraRays* camera,
               Film& film);
 
   /// True when there is something to do; then `map` and `emission` are what camera paths need.
@@ -30,7 +31,7 @@ public:
 private:
   const Plan& plan_;
   const World& world_;
-  const CameraRays& camera_;
+  const CameraRays* camera_;
   Film& film_;
   Emission emission_;
   PhotonMap map_;

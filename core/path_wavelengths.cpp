@@ -42,9 +42,7 @@ const double* PathWavelengths::wavelengths_nm() {
 }
 
 double PathWavelengths::shared_index(MediumId medium, int first, int last) const {
-  const double lower = plan_.grid.lower_nm(first);
-  const double width = plan_.grid.width_nm() * (last - first);
-  return plan_.medium(medium).index.at(lower + offset_ * width);
+  return plan_.medium(medium).index.at(plan_.shared_wavelength_nm(first, last, offset_));
 }
 
 } // namespace abbe

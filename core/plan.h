@@ -116,6 +116,11 @@ struct Plan {
   /// light in the band.
   [[nodiscard]] double wavelength_nm(int band, double offset) const;
 
+  /// The wavelength at that place of bands [first, last) taken as one.
+  [[nodiscard]] double shared_wavelength_nm(int first, int last, double offset) const {
+    return grid.lower_nm(first) + offset * (grid.width_nm() * (last - first));
+  }
+
   static constexpr int kBackground = 0, kAmbient = 1;
   [[nodiscard]] int light_source(std::size_t light) const { return 2 + static_cast<int>(light); }
   [[nodiscard]] const MediumPlan& medium(MediumId id) const {

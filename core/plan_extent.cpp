@@ -1,5 +1,6 @@
 #include "core/plan_extent.h"
 
+#include "core/cameras/lens_system.h"
 #include "core/plan.h"
 #include "spectral/observer.h"
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace abbe {
 namespace {
@@ -21,6 +23,15 @@ std::optional<dvec3> position_of(const Light& light) {
 /// A sun can be looked at, but a tiny one must not make the steps too coarse for what it lights:
 /// they stay below 2^-16 of that.
 constexpr double kMostOfSun = 0x1p20;
+
+/// How far from the eye camera rays may begin: on a thin lens, or on the first surface of a real
+/// one, whose rim lies no farther behind the vertex than from the axis.
+double camera_reach(const Scene& scene) {
+  const Camera& camera = scene.camera;
+  if (!camera.lens) return 0.5 * camera.aperture;
+  const double semi_diameter = LensSystem(*camera.lens).surfaces().front().semi_diameter;
+  return std::numbers::sqrt2 * semi_diameter / scene.mm_per_unit;
+}
 
 } // namespace
 
@@ -65,7 +76,9 @@ double farthest_coordinate(const Scene& scene) {
   const auto include = [&](const dvec3& p) {
     farthest = std::max({farthest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   };
-  include(scene.camera.eye);
+  const dvec3 reach(camera_reach(scene));
+  include(scene.camera.eye - reach);
+  include(scene.camera.eye + reach);
   for (const PlacedShape& shape : scene.shapes)
     if (is_bounded(shape.shape)) farthest = std::max(farthest, bounds(shape).largest_coordinate());
   for (const Light& light : scene.lights)

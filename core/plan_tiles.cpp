@@ -39,8 +39,10 @@ bool overlap(const PixelWindow& a, const PixelWindow& b) {
 
 std::vector<Tile> make_tiles(const Scene& scene, const PixelWindow& window,
                              const RenderSettings& settings) {
+  // Where a shape shows through a lens, which blurs and distorts it, is not asked.
+  const bool skip = settings.skip && scene.camera.aperture == 0.0 && !scene.camera.lens;
   std::vector<PixelWindow> shown;
-  if (settings.skip) {
+  if (skip) {
     const CameraRays camera(scene.camera, settings.width, settings.height);
     // A sample lies within the filter's reach of its pixel's centre; a pixel more for rounding.
     const double margin = filter_radius(settings.filter) + 1.0;
@@ -51,9 +53,8 @@ std::vector<Tile> make_tiles(const Scene& scene, const PixelWindow& window,
   for (int y = window.y0; y < window.y1; y += kTileSize)
     for (int x = window.x0; x < window.x1; x += kTileSize) {
       Tile tile{{x, y, std::min(x + kTileSize, window.x1), std::min(y + kTileSize, window.y1)}};
-      tile.empty = settings.skip && std::none_of(shown.begin(), shown.end(), [&](const auto& w) {
-                     return overlap(w, tile.window);
-                   });
+      tile.empty = skip && std::none_of(shown.begin(), shown.end(),
+                                        [&](const auto& w) { return overlap(w, tile.window); });
       tiles.push_back(tile);
     }
   return tiles;

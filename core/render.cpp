@@ -65,10 +65,10 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
   const int most = settings.samples_per_pixel;
   Rendering result{Film(plan.window, plan.quantum, keep_bands ? plan.grid.count() : 0,
                         settings.keep_errors || settings.adaptive())};
-  const CameraRays camera(scene.camera, settings.width, settings.height);
+  const PlacedCamera camera(scene, settings, world);
   const Lamps lamps(scene, plan);
-  LightPasses light_passes(scene, plan, world, camera, result.film);
-  const Nesting camera_nesting = world.nesting_at(scene.camera.eye);
+  LightPasses light_passes(scene, plan, world, camera.pinhole() ? &camera.rays : nullptr,
+                           result.film);
   ProgressMeter meter(progress, static_cast<double>(plan.window.pixel_count()) * most,
                       settings.seconds);
   assert(!record || settings.threads == 1);
@@ -111,7 +111,7 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
                           const DenormalsOff denormals_off;
                           TileRenderer renderer(scene, plan, world, lamps,
                                                 light_passes.needed() ? &light_passes : nullptr,
-                                                camera, camera_nesting, result.film);
+                                                camera, result.film);
                           for (std::size_t i = range.begin(); i < range.end() && !ends(done); ++i) {
                             advance(open[i], samples, renderer);
                             ++rendered;

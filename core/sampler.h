@@ -41,6 +41,7 @@ private:
 enum SamplePurpose : std::uint32_t {
   kPixelPosition = 0,
   kWavelength = 1,        ///< x: place inside the band, y: which band of a stratum is kept
+  kLens = 2,              ///< where on the lens
   kEmissionPoint = 4,     ///< where a light path begins on its lamp
   kEmissionDirection = 5, ///< and where it goes
   // From here on purposes repeat for each surface along a path, `kPerSurface` apart.

@@ -3,6 +3,7 @@
 #include "core/integrators/path.h"
 #include "core/integrators/whitted.h"
 
+#include <algorithm>
 #include <span>
 
 namespace abbe {
@@ -21,10 +22,12 @@ std::unique_ptr<CameraIntegrator> make_integrator(const Scene& scene, const Plan
 
 TileRenderer::TileRenderer(const Scene& scene, const Plan& plan, const World& world,
                            const Lamps& lamps, const LightPasses* light_passes,
-                           const CameraRays& camera, const Nesting& camera_nesting, Film& film)
-    : plan_(plan), world_(world), camera_(camera), camera_nesting_(camera_nesting), film_(film),
+                           const PlacedCamera& camera, Film& film)
+    : plan_(plan), world_(world), camera_(camera), film_(film),
       integrator_(make_integrator(scene, plan, world, lamps, light_passes, camera.pixel_angle())),
-      sums_(plan) {}
+      sums_(plan), undivided_{plan.first_band, plan.last_band} {
+  if (camera.lens) lens_fan_.emplace(plan, *camera.lens);
+}
 
 RayCounts TileRenderer::render(const Tile& tile, SampleRange samples, RayRecord* record) {
   RayCounts counts;
@@ -40,27 +43,71 @@ RayCounts TileRenderer::render(const Tile& tile, SampleRange samples, RayRecord*
   return counts;
 }
 
-void TileRenderer::finish_batch(bool empty, RayCounts& counts) {
-  const std::size_t count = batch_.size();
-  for (std::size_t i = 0; i < count; ++i) {
+dvec2 TileRenderer::film_position(const CameraSample& sample) const {
+  return dvec2(sample.x + 0.5, sample.y + 0.5) +
+         filter_offset(plan_.settings.filter, sample.sampler.pair(kPixelPosition));
+}
+
+void TileRenderer::start_undivided() {
+  states_.resize(batch_.size());
+  for (std::size_t i = 0; i < batch_.size(); ++i) {
     const CameraSample& sample = batch_[i];
-    const dvec2 offset = filter_offset(plan_.settings.filter, sample.sampler.pair(kPixelPosition));
-    states_[i].ray = camera_.ray(dvec2(sample.x + 0.5, sample.y + 0.5) + offset);
-    states_[i].nesting = camera_nesting_;
-    hits_[i].reset();
+    const dvec2 position = film_position(sample);
+    states_[i].ray = camera_.rays.has_aperture()
+                         ? camera_.rays.ray(position, sample.sampler.pair(kLens))
+                         : camera_.rays.ray(position);
+    states_[i].nesting = camera_.nesting;
   }
-  if (!empty) {
-    world_.closest(std::span(states_).first(count), std::span(hits_).first(count),
-                   plan_.settings.tracing);
-    counts.add(RayKind::camera, std::span(states_).first(count));
+}
+
+void TileRenderer::start_through_lens() {
+  bundles_.clear();
+  states_.clear();
+  for (std::size_t i = 0; i < batch_.size(); ++i) {
+    const Sampler& sampler = batch_[i].sampler;
+    const dvec2 u = sampler.pair(kWavelength);
+    lens_fan_->sample(film_position(batch_[i]), sampler.pair(kLens),
+                      {plan_.settings.jitter ? u.x : 0.5, u.y}, bundles_, states_);
+    ends_[i] = bundles_.size();
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    sums_.clear();
-    integrator_->trace(states_[i], hits_[i], batch_[i].sampler, sums_, counts);
-    film_.add(batch_[i].x, batch_[i].y, sums_.color(), hits_[i].has_value(),
-              film_.bands() > 0 ? sums_.radiance() : std::span<const float>());
+  for (RayState& state : states_)
+    state.nesting = camera_.nesting;
+}
+
+void TileRenderer::finish_batch(bool empty, RayCounts& counts) {
+  if (lens_fan_)
+    start_through_lens();
+  else
+    start_undivided();
+  if (hits_.size() < states_.size()) hits_.resize(states_.size());
+  const std::span<const RayState> states(states_);
+  const std::span<std::optional<Hit>> hits(hits_.data(), states.size());
+  if (empty) {
+    std::fill(hits.begin(), hits.end(), std::nullopt);
+  } else {
+    world_.closest(states, hits, plan_.settings.tracing);
+    counts.add(RayKind::camera, states);
+  }
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < batch_.size(); ++i) {
+    const std::size_t own = lens_fan_ ? ends_[i] - first : 1;
+    trace_sample(batch_[i],
+                 {lens_fan_ ? &bundles_[first] : &undivided_, &states[first], &hits[first], own},
+                 counts);
+    first += own;
   }
   batch_.clear();
+}
+
+void TileRenderer::trace_sample(const CameraSample& sample, const CameraPaths& start,
+                                RayCounts& counts) {
+  sums_.clear();
+  integrator_->trace(start, sample.sampler, sums_, counts);
+  bool covered = false;
+  for (std::size_t i = 0; i < start.count; ++i)
+    covered |= start.hits[i].has_value();
+  film_.add(sample.x, sample.y, sums_.color(), covered,
+            film_.bands() > 0 ? sums_.radiance() : std::span<const float>());
 }
 
 } // namespace abbe

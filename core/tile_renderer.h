@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/camera.h"
+#include "core/cameras/lens_fan.h"
+#include "core/cameras/placed_camera.h"
 #include "core/film.h"
 #include "core/integrators/integrator.h"
 #include "core/light_pass.h"
@@ -29,8 +30,7 @@ class TileRenderer {
 public:
   /// Keeps references to all; `light_passes` is null where there are none.
   TileRenderer(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
-               const LightPasses* light_passes, const CameraRays& camera,
-               const Nesting& camera_nesting, Film& film);
+               const LightPasses* light_passes, const PlacedCamera& camera, Film& film);
 
   /// Adds the samples of every pixel of the tile to the film.
   RayCounts render(const Tile& tile, SampleRange samples, RayRecord* record);
@@ -43,18 +43,27 @@ private:
     Sampler sampler;
   };
 
+  [[nodiscard]] dvec2 film_position(const CameraSample& sample) const;
+  /// One ray for all bands of each sample.
+  void start_undivided();
+  /// As many rays for each sample as the lens parts its bands into, or none.
+  void start_through_lens();
   void finish_batch(bool empty, RayCounts& counts);
+  void trace_sample(const CameraSample& sample, const CameraPaths& start, RayCounts& counts);
 
   const Plan& plan_;
   const World& world_;
-  const CameraRays& camera_;
-  const Nesting& camera_nesting_;
+  const PlacedCamera& camera_;
   Film& film_;
   std::unique_ptr<CameraIntegrator> integrator_;
   RadianceSums sums_;
   std::vector<CameraSample> batch_;
-  std::array<RayState, kPacketWidth> states_;
-  std::array<std::optional<Hit>, kPacketWidth> hits_;
+  std::optional<LensFan> lens_fan_;
+  std::array<std::size_t, kPacketWidth> ends_{}; ///< of each sample's bundles in the lists below
+  const CameraBundle undivided_; ///< what a sample starts with where no lens parts its bands
+  std::vector<CameraBundle> bundles_;
+  std::vector<RayState> states_;
+  std::vector<std::optional<Hit>> hits_;
 };
 
 } // namespace abbe

@@ -34,10 +34,10 @@ const std::vector<SceneKeyword>& all_keywords() {
   static const std::vector<SceneKeyword> list = [] {
     std::vector<SceneKeyword> rows;
     for (const auto& table :
-         {setting_keywords(), display_keywords(), camera_keywords(), transform_keywords(),
-          material_keywords(), surface_keywords(), texture_keywords(), mixture_keywords(),
-          light_keywords(), light_path_keywords(), shape_keywords(), lens_keywords(),
-          boolean_keywords(), macro_keywords()})
+         {setting_keywords(), display_keywords(), camera_keywords(), camera_lens_keywords(),
+          transform_keywords(), material_keywords(), surface_keywords(), texture_keywords(),
+          mixture_keywords(), light_keywords(), light_path_keywords(), shape_keywords(),
+          lens_keywords(), boolean_keywords(), macro_keywords()})
       rows.insert(rows.end(), table.begin(), table.end());
     return rows;
   }();
@@ -136,6 +136,7 @@ Scene read_scene_text(std::string_view text, const std::filesystem::path& file, 
     read_statement(state, reader);
   check_pushes(state);
   check_camera(state);
+  finish_camera_lens(state);
   check_crop(state);
   return std::move(state.scene);
 }

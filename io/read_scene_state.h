@@ -65,6 +65,18 @@ struct Macro {
   std::vector<Token> body;
 };
 
+/// A number and the keyword that gave it.
+struct GivenNumber {
+  double value;
+  SourcePosition where;
+};
+
+/// What is said of the camera's lens, and where; it comes together at the end of the scene.
+struct CameraLensState {
+  std::optional<GivenNumber> f_number, focal_length_mm;
+  std::optional<SourcePosition> focus_at, film_height_at, film_distance_at, coating_at, lens_at;
+};
+
 /// The scene as far as it is read, and everything that is current.
 struct SceneState {
   Scene scene;
@@ -88,6 +100,7 @@ struct SceneState {
   std::set<const Glass*> warned_glasses;
   std::optional<SourcePosition> camera_at; ///< of the last keyword that moves the camera
   std::optional<SourcePosition> crop_at;
+  CameraLensState camera_lens;
 };
 
 /// A keyword of the scene language, one row of a table.
@@ -100,6 +113,7 @@ struct SceneKeyword {
 [[nodiscard]] std::span<const SceneKeyword> setting_keywords();
 [[nodiscard]] std::span<const SceneKeyword> display_keywords();
 [[nodiscard]] std::span<const SceneKeyword> camera_keywords();
+[[nodiscard]] std::span<const SceneKeyword> camera_lens_keywords();
 [[nodiscard]] std::span<const SceneKeyword> transform_keywords();
 [[nodiscard]] std::span<const SceneKeyword> material_keywords();
 [[nodiscard]] std::span<const SceneKeyword> texture_keywords();
@@ -115,6 +129,10 @@ struct SceneKeyword {
 /// True when the token can be a name that may be left out: neither a keyword nor a number, unless
 /// it is quoted.
 [[nodiscard]] bool name_follows(const Arguments& arguments);
+
+/// Puts the camera's lens together from all that was said of it. Throws ReadError where that does
+/// not fit together.
+void finish_camera_lens(SceneState& state);
 
 /// Reads one keyword with its arguments; for a boolean also its operands.
 void read_statement(SceneState& state, TokenReader& reader);

@@ -1,11 +1,9 @@
 #pragma once
 
+#include "core/bundle.h"
 #include "core/radiance_sums.h"
 #include "core/sampler.h"
 #include "core/statistics.h"
-#include "geometry/ray_state.h"
-
-#include <optional>
 
 namespace abbe {
 
@@ -18,9 +16,9 @@ public:
   CameraIntegrator& operator=(const CameraIntegrator&) = delete;
   virtual ~CameraIntegrator() = default;
 
-  /// Follows a camera ray that has been traced to `hit` and adds what it sees to `sums`.
-  virtual void trace(const RayState& camera_ray, const std::optional<Hit>& hit,
-                     const Sampler& sampler, RadianceSums& sums, RayCounts& counts) = 0;
+  /// Follows the bundles of one camera sample and adds what they see to `sums`.
+  virtual void trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
+                     RayCounts& counts) = 0;
 };
 
 } // namespace abbe

@@ -14,19 +14,19 @@ Path::Path(const Plan& plan, const World& world, const Lamps& lamps,
       found_otherwise_(light_passes || plan.settings.shadows == ShadowRule::attenuated),
       shadow_rays_(plan, world), light_(plan.stride) {}
 
-void Path::trace(const RayState& camera_ray, const std::optional<Hit>& hit, const Sampler& sampler,
-                 RadianceSums& sums, RayCounts& counts) {
+void Path::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
+                 RayCounts& counts) {
   begin(sampler, counts);
   sums_ = &sums;
-  bundle_ = Bundle{};
-  bundle_.first = plan_.first_band;
-  bundle_.last = plan_.last_band;
-  bundle_.state = camera_ray;
-  bundle_.hit = hit;
-  std::copy(plan_.live.begin(), plan_.live.end(), throughput_.begin());
-  do
-    follow();
-  while (resume());
+  for (std::size_t i = 0; i < start.count; ++i) {
+    bundle_ = start.bundle(i);
+    for (auto b = static_cast<std::size_t>(bundle_.first);
+         b < static_cast<std::size_t>(bundle_.last); ++b)
+      throughput_[b] = plan_.live[b] * start.bundles[i].weight;
+    do
+      follow();
+    while (resume());
+  }
 }
 
 void Path::follow() {

@@ -23,8 +23,8 @@ public:
   Path(const Plan& plan, const World& world, const Lamps& lamps, const LightPasses* light_passes,
        double pixel_angle);
 
-  void trace(const RayState& camera_ray, const std::optional<Hit>& hit, const Sampler& sampler,
-             RadianceSums& sums, RayCounts& counts) override;
+  void trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
+             RayCounts& counts) override;
 
 private:
   /// Follows the current bundle to its end; sub-bundles that part from it wait.

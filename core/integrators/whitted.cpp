@@ -41,17 +41,13 @@ void Whitted::push(const Bundle& bundle, const float* throughput, float factor) 
     target[b] = throughput[b] * factor;
 }
 
-void Whitted::trace(const RayState& camera_ray, const std::optional<Hit>& hit,
-                    const Sampler& sampler, RadianceSums& sums, RayCounts& counts) {
+void Whitted::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
+                    RayCounts& counts) {
   const dvec2 u = sampler.pair(kWavelength);
   decisions_ = sampler.decisions();
   wavelengths_.begin_path(plan_.settings.jitter ? u.x : 0.5);
-  Bundle first;
-  first.first = plan_.first_band;
-  first.last = plan_.last_band;
-  first.state = camera_ray;
-  first.hit = hit;
-  push(first, plan_.live.data(), 1.0f);
+  for (std::size_t i = 0; i < start.count; ++i)
+    push(start.bundle(i), plan_.live.data(), start.bundles[i].weight);
   while (!waiting_.empty()) {
     const Bundle bundle = waiting_.back();
     const float* stored = row(waiting_.size() - 1);

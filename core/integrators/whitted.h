@@ -19,8 +19,8 @@ public:
   Whitted(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
           double pixel_angle);
 
-  void trace(const RayState& camera_ray, const std::optional<Hit>& hit, const Sampler& sampler,
-             RadianceSums& sums, RayCounts& counts) override;
+  void trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
+             RayCounts& counts) override;
 
 private:
   /// A bundle that waits for its turn; its throughput is the row of the same number.

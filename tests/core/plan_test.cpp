@@ -184,6 +184,10 @@ TEST_CASE("the farthest coordinate is that of shape, lamp or eye") {
   CHECK(farthest("light E 0 0 -30 1 sphere") == 30.0);
   CHECK(farthest("spotlight E 0 40 0 1 0 -1 0 5 sphere") == 40.0);
   CHECK(farthest("light E 0 1000 0 0 sphere") == 5.0); // parallel light has no place
+  // Rays may begin anywhere on a thin lens, or on the first surface of a real one.
+  CHECK(farthest("eye 0 -9 0 lookAt 0 0 -1 aperture 3") == 10.5);
+  CHECK(farthest("eye 0 -900 0 lookAt 0 0 -1 lensFile \"" ABBE_SOURCE_DIR
+                 "/scenes/lenses/achromat_ac254_050_a.lens\"") >= 912.7);
 }
 
 // A white diffuse square, lit head-on at strength 1, shows the lamp's own colour.

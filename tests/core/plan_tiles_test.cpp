@@ -89,3 +89,11 @@ TEST_CASE("no ray of an empty tile meets a shape, with any filter") {
       CHECK(covered == 0.0);
     }
 }
+
+TEST_CASE("through a lens no tile is taken for empty") {
+  const std::string text = "imageSize 64 64 background E 1 scale 0.1 0.1 0.1 sphere ";
+  CHECK(empty_tiles(plan_of(text)) > 0);
+  CHECK(empty_tiles(plan_of(text + "aperture 0.1")) == 0);
+  CHECK(empty_tiles(plan_of(text + "unit m lensFile \"" ABBE_SOURCE_DIR
+                                   "/scenes/lenses/cooke_triplet.lens\"")) == 0);
+}

@@ -1,5 +1,6 @@
 #include "tests/io/read_scene_helpers.h"
 
+#include "io/read_lens_prescription.h"
 #include "io/read_scene_state.h"
 #include "tests/catch.h"
 
@@ -16,14 +17,26 @@ std::string manual() {
 TEST_CASE("docs/scene_format.md has every keyword with its arguments") {
   const std::string text = manual();
   for (const auto& table :
-       {setting_keywords(), display_keywords(), camera_keywords(), transform_keywords(),
-        material_keywords(), surface_keywords(), texture_keywords(), mixture_keywords(),
-        light_keywords(), light_path_keywords(), shape_keywords(), lens_keywords(),
-        boolean_keywords(), macro_keywords()})
+       {setting_keywords(), display_keywords(), camera_keywords(), camera_lens_keywords(),
+        transform_keywords(), material_keywords(), surface_keywords(), texture_keywords(),
+        mixture_keywords(), light_keywords(), light_path_keywords(), shape_keywords(),
+        lens_keywords(), boolean_keywords(), macro_keywords()})
     for (const SceneKeyword& keyword : table) {
       INFO(keyword.usage);
       CHECK(text.find("- `" + std::string(keyword.usage) + "`:") != std::string::npos);
     }
+}
+
+TEST_CASE("docs/scene_format.md has every keyword of a lens file, and an example") {
+  const std::string text = manual(), fence = "```";
+  for (const std::string_view usage : lens_file_keywords()) {
+    INFO(usage);
+    CHECK(text.find("- `" + std::string(usage) + "`:") != std::string::npos);
+  }
+  const std::size_t begin = text.find(fence + "lens\n") + fence.size() + 5;
+  const LensPrescription lens =
+      read_lens_prescription_text(text.substr(begin, text.find(fence, begin) - begin), "l", {});
+  CHECK(lens.surfaces.size() == 3);
 }
 
 TEST_CASE("the example of docs/scene_format.md can be read") {

@@ -33,8 +33,8 @@ public:
     hit_.normal = {0.0, 0.0, 1.0};
     hit_.entering = true;
     if (!plan_.media.empty()) hit_.medium_after = MediumId{0};
-    scattering_.prepare(plan_.materials[0], hit_, -test::direction(cos_o, 0.4), 0, kBands,
-                        throughput_.data(), wavelengths_);
+    scattering_.prepare(plan_.materials[0], plan_.materials[0].diffuse, hit_,
+                        -test::direction(cos_o, 0.4), 0, kBands, throughput_.data(), wavelengths_);
   }
   [[nodiscard]] Scattering& scattering() { return scattering_; }
   double evaluate(const dvec3& wi) { return scattering_.evaluate(wi, f_.data()); }
