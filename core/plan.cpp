@@ -1,5 +1,6 @@
 #include "core/plan.h"
 
+#include "core/plan_drops.h"
 #include "core/plan_extent.h"
 #include "core/plan_lines.h"
 #include "core/plan_tiles.h"
@@ -115,6 +116,12 @@ void plan_media(const Scene& scene, Plan& plan) {
     m.absorption_per_unit = BandTable::at_wavelengths(
         table_wavelengths(plan), medium.absorption_per_mm.scaled(scene.mm_per_unit),
         plan.settings.skip);
+    if (medium.drops && medium.drops->extinction_per_mm > 0.0) {
+      m.drops = plan_drops(scene, plan, *medium.drops);
+      m.absorption_per_unit = m.absorption_per_unit.plus(
+          static_cast<float>(m.drops->extinction_per_unit), plan.grid.count());
+      plan.has_drops = true;
+    }
     m.absorbs = !m.absorption_per_unit.zero();
     plan.media.push_back(std::move(m));
   }
@@ -180,6 +187,8 @@ void note_content(const Scene& scene, Plan& plan) {
       plan.notes.push_back(
           fmt::format("{}: n_d {:.5f}, V_d {:.2f}", medium.name.empty() ? "a medium" : medium.name,
                       refractive_index(medium.index, kLineD_nm), abbe_number(medium.index)));
+  for (const Medium& medium : scene.media)
+    if (medium.drops) plan.notes.push_back(note_of(*medium.drops));
   const bool refracts = std::any_of(plan.materials.begin(), plan.materials.end(),
                                     [](const MaterialPlan& m) { return m.transmits; });
   if (!refracts)

@@ -2,10 +2,12 @@
 
 #include "core/band_table.h"
 #include "core/index_table.h"
+#include "core/media/drop_phase_function.h"
 #include "core/scene.h"
 #include "spectral/color.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,11 +32,19 @@ struct MaterialPlan {
   int emission_source = -1; ///< index into Plan::sources; negative: emits nothing
 };
 
+/// Drops at the bands. A phase function is there where the scene has such lamps.
+struct DropsPlan {
+  double extinction_per_unit = 0.0;            ///< per scene unit of length
+  std::optional<DropPhaseFunction> under_sun;  ///< for parallel light
+  std::optional<DropPhaseFunction> under_lamp; ///< for lamps at a place
+};
+
 /// A medium at the bands.
 struct MediumPlan {
   IndexTable index;
-  BandTable absorption_per_unit; ///< per scene unit of length
+  BandTable absorption_per_unit; ///< per scene unit of length, with what drops take out of a ray
   bool absorbs = false;
+  std::optional<DropsPlan> drops;
 };
 
 /// A block of pixels rendered by one thread at a time.
@@ -65,6 +75,7 @@ struct Plan {
   std::vector<MaterialPlan> materials; ///< by MaterialId
   std::vector<MediumPlan> media;       ///< by MediumId
   MediumPlan vacuum;
+  bool has_drops = false; ///< some medium has
 
   PixelWindow window; ///< what is rendered
   std::vector<Tile> tiles;

@@ -40,7 +40,8 @@ private:
 /// What the pairs of numbers of a camera sample are for.
 enum SamplePurpose : std::uint32_t {
   kPixelPosition = 0,
-  kWavelength = 1, ///< x: place inside the band, y: which band of a stratum is kept
+  kWavelength = 1,   ///< x: place inside the band, y: which band of a stratum is kept
+  kScatterPlace = 2, ///< x: where drops on the way are looked at
 };
 
 /// A position relative to the pixel's centre, in pixels, distributed like the filter.

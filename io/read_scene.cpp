@@ -35,7 +35,7 @@ const std::vector<SceneKeyword>& all_keywords() {
     std::vector<SceneKeyword> rows;
     for (const auto& table :
          {setting_keywords(), display_keywords(), camera_keywords(), transform_keywords(),
-          material_keywords(), light_keywords(), shape_keywords(), lens_keywords(),
+          material_keywords(), drop_keywords(), light_keywords(), shape_keywords(), lens_keywords(),
           boolean_keywords(), macro_keywords()})
       rows.insert(rows.end(), table.begin(), table.end());
     return rows;

@@ -20,8 +20,8 @@ constexpr double kSurePart = 1.0 / 8.0;
 
 Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, double pixel_angle)
     : scene_(scene), plan_(plan), world_(world), wavelengths_(plan), fan_(plan, world, pixel_angle),
-      shadow_rays_(plan, world), ones_(1.0f, plan.grid.count()), throughput_(plan.stride),
-      lit_(plan.stride) {
+      shadow_rays_(plan, world), single_scatter_(scene, plan, world),
+      ones_(1.0f, plan.grid.count()), throughput_(plan.stride), lit_(plan.stride) {
   scatter_.reflected.resize(plan.stride);
   scatter_.transmitted.resize(plan.stride);
 }
@@ -39,6 +39,7 @@ void Whitted::trace(const RayState& camera_ray, const std::optional<Hit>& hit,
                     const Sampler& sampler, RadianceSums& sums, RayCounts& counts) {
   const dvec2 u = sampler.pair(kWavelength);
   decisions_ = sampler.decisions();
+  single_scatter_.begin_path(plan_.has_drops ? sampler.pair(kScatterPlace).x : 0.5);
   wavelengths_.begin_path(plan_.settings.jitter ? u.x : 0.5);
   Bundle first;
   first.first = plan_.first_band;
@@ -60,14 +61,17 @@ void Whitted::shade(const Bundle& bundle, RadianceSums& sums, RayCounts& counts)
   const auto add = [&](int source, const BandTable& factor) {
     sums.add(source, throughput_.data(), factor, 1.0f, bundle.first, bundle.last);
   };
+  const MediumId medium =
+      bundle.hit ? bundle.hit->medium_before : world_.medium_of(bundle.state.nesting);
+  const double way = bundle.hit ? bundle.hit->t : kInfinity;
+  single_scatter_.add(bundle.state, way, medium, bundle.first, bundle.last, throughput_.data(),
+                      wavelengths_, sums, counts);
+  absorb(plan_.medium(medium), way, bundle.first, bundle.last, throughput_.data());
   if (!bundle.hit) {
-    absorb(plan_.medium(world_.medium_of(bundle.state.nesting)), kInfinity, bundle.first,
-           bundle.last, throughput_.data());
     add(Plan::kBackground, ones_);
     return;
   }
   const Hit& hit = *bundle.hit;
-  absorb(plan_.medium(hit.medium_before), hit.t, bundle.first, bundle.last, throughput_.data());
   const MaterialPlan& material = plan_.materials[hit.material.index()];
   if (material.emission_source >= 0) add(material.emission_source, ones_);
   if (!material.ambient.zero()) add(Plan::kAmbient, material.ambient);

@@ -2,6 +2,7 @@
 
 #include "core/fan.h"
 #include "core/integrators/shadow.h"
+#include "core/integrators/single_scatter.h"
 #include "core/materials/dielectric.h"
 #include "core/radiance_sums.h"
 #include "core/sampler.h"
@@ -42,6 +43,7 @@ private:
   PathWavelengths wavelengths_;
   Fan fan_;
   ShadowRays shadow_rays_;
+  SingleScatter single_scatter_;
   DielectricScatter scatter_;
   BandTable ones_;
   DecisionStream decisions_;

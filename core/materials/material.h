@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/media/drops.h"
 #include "spectral/curve.h"
 #include "spectral/dispersion.h"
 
@@ -13,6 +14,7 @@ struct Medium {
   std::string name;
   Dispersion index = ConstantIndex{1.0};
   Curve absorption_per_mm = Curve::constant(0.0); ///< Beer-Lambert: exp(-absorption * length)
+  std::optional<Drops> drops{}; ///< that hang in it; its index is then 1
 };
 
 /// A metal's complex refractive index n - i k.
