@@ -23,15 +23,17 @@ double whole_power(double x, int exponent) {
 /// polarisations (core/materials/fresnel.h has their mean).
 struct Meeting {
   double incidence, refraction, s, p;
+  double rings; ///< of the disc per radian of incidence: d(sin^2 i) = sin 2i di
 
   Meeting(double n, double i) : incidence(i) {
-    const double cos_i = std::cos(i), sin_r = std::sin(i) / n;
+    const double sin_i = std::sin(i), cos_i = std::cos(i), sin_r = sin_i / n;
     const double cos_r = std::sqrt(1.0 - sin_r * sin_r);
     refraction = std::asin(sin_r);
     const double r_s = (cos_i - n * cos_r) / (cos_i + n * cos_r);
     const double r_p = (n * cos_i - cos_r) / (n * cos_i + cos_r);
     s = r_s * r_s;
     p = r_p * r_p;
+    rings = 2.0 * sin_i * cos_i;
   }
 
   [[nodiscard]] double deviation(int order) const {
@@ -47,8 +49,6 @@ struct Meeting {
     const auto kept = [&](double r) { return (1.0 - r) * whole_power(r, last_order); };
     return 0.5 * (kept(s) + kept(p));
   }
-  /// The disc's rings per radian of incidence: d(sin^2 i) = sin 2i di.
-  [[nodiscard]] double rings() const { return std::sin(2.0 * incidence); }
 };
 
 /// The parabola through values at 0, 1/2 and 1.
@@ -74,38 +74,37 @@ struct Parabola {
 /// D''' h^3 / (72 sqrt 3), below 1e-8 rad for n of liquids and orders to 12.
 constexpr int kPieces = 1024;
 
-/// The cell of a deviation: it is reflected at 0 and at pi, as often as it takes.
-std::size_t cell_of(double deviation, std::size_t count) {
-  const auto cells = static_cast<double>(count);
-  const double turns = std::floor(deviation / (2.0 * kPi));
-  const double place = std::floor((deviation / (2.0 * kPi) - turns) * 2.0 * cells);
-  const double folded = place < cells ? place : 2.0 * cells - 1.0 - place;
-  return static_cast<std::size_t>(std::max(folded, 0.0));
+/// Cells of the deviation beyond 0 to pi are those of the angle, reflected at both ends as often as
+/// it takes.
+std::size_t folded(int cell, int count) {
+  const int place = (cell % (2 * count) + 2 * count) % (2 * count);
+  return static_cast<std::size_t>(place < count ? place : 2 * count - 1 - place);
 }
 
 /// Adds the flux of a piece on which the deviation rises or falls all the way.
 void add_piece(const std::array<const Meeting*, 3>& at, int order, std::span<double> cells) {
   const auto value = [&](auto f) { return Parabola(f(*at[0]), f(*at[1]), f(*at[2])); };
   const Parabola deviation = value([&](const Meeting& m) { return m.deviation(order); });
-  const Parabola flux = value([&](const Meeting& m) { return m.share(order) * m.rings(); });
+  const Parabola flux = value([&](const Meeting& m) { return m.share(order) * m.rings; });
   const double length = at[2]->incidence - at[0]->incidence;
   const double width = kPi / static_cast<double>(cells.size());
   const double from = at[0]->deviation(order), to = at[2]->deviation(order);
   const bool rising = to > from;
   double x = 0.0, before = 0.0;
-  double last = from;
-  const auto add_up_to = [&](double next_x, double next) {
-    const double sum = flux.integral_to(next_x);
-    cells[cell_of(0.5 * (last + next), cells.size())] += length * (sum - before);
-    x = next_x;
+  // Borders strictly between the ends, in the order in which they are met, and the cell before
+  // each of them.
+  int border =
+      static_cast<int>(rising ? std::floor(from / width) + 1.0 : std::ceil(from / width) - 1.0);
+  const auto add_up_to = [&](double next) {
+    const double sum = flux.integral_to(next);
+    const int cell = rising ? border - 1 : border;
+    cells[folded(cell, static_cast<int>(cells.size()))] += length * (sum - before);
+    x = next;
     before = sum;
-    last = next;
   };
-  // Borders strictly between the ends, in the order in which they are met.
-  double border = rising ? std::floor(from / width) + 1.0 : std::ceil(from / width) - 1.0;
-  for (; rising ? border * width < to : border * width > to; border += rising ? 1.0 : -1.0)
-    add_up_to(std::clamp(deviation.where(border * width, rising), x, 1.0), border * width);
-  add_up_to(1.0, to);
+  for (; rising ? border * width < to : border * width > to; border += rising ? 1 : -1)
+    add_up_to(std::clamp(deviation.where(border * width, rising), x, 1.0));
+  add_up_to(1.0);
 }
 
 /// The ends and the middles of the pieces.
@@ -158,7 +157,7 @@ void add_drop_flux(double n, int first_order, int last_order, std::span<double> 
 
 double drop_remainder(double n, int last_order) {
   const std::vector<Meeting> at = meetings(n);
-  const auto value = [&](const Meeting& m) { return m.remainder(last_order) * m.rings(); };
+  const auto value = [&](const Meeting& m) { return m.remainder(last_order) * m.rings; };
   double sum = 0.0;
   for (std::size_t k = 0; k + 2 < at.size(); k += 2)
     sum += Parabola(value(at[k]), value(at[k + 1]), value(at[k + 2])).integral_to(1.0);
