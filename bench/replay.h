@@ -8,7 +8,7 @@
 namespace abbe::bench {
 
 inline constexpr std::array kRayKinds{RayKind::camera, RayKind::reflected, RayKind::refracted,
-                                      RayKind::shadow};
+                                      RayKind::spread, RayKind::shadow};
 inline constexpr std::array kPacketWidths{1, 4, 8, 16};
 
 [[nodiscard]] const char* name(RayKind kind);

@@ -19,6 +19,7 @@ Json json(const RayCounts& c) {
   return {{"camera", c.camera},
           {"reflected", c.reflected},
           {"refracted", c.refracted},
+          {"spread", c.spread},
           {"shadow", c.shadow}};
 }
 

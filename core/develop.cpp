@@ -76,6 +76,7 @@ const char* name(ShadowRule rule) {
     return "none";
   case ShadowRule::opaque:
     return "opaque";
+  case ShadowRule::automatic: // never in a plan
   case ShadowRule::attenuated:
     return "attenuated";
   }
@@ -108,7 +109,7 @@ const char* name(Observer observer) {
 
 Metadata render_metadata(const Plan& plan) {
   const RenderSettings& s = plan.settings;
-  Metadata data{{"abbe/integrator", "whitted"},
+  Metadata data{{"abbe/integrator", s.integrator == Integrator::path ? "path" : "whitted"},
                 {"abbe/bands", fmt::format("{}", s.bands)},
                 {"abbe/samples", fmt::format("{}", s.samples_per_pixel)},
                 {"abbe/observer", name(s.observer)},

@@ -144,6 +144,15 @@ std::size_t Fan::sub_bundles_allowed(Range range, double importance) const {
   return static_cast<std::size_t>(std::max(1.0, std::round(share)));
 }
 
+/// The rule where no pixel's width says what is close together: equal parts, as many as allowed.
+void Fan::cut(Range whole, double importance) {
+  const int bands = whole.last - whole.first;
+  const int parts = std::min(static_cast<int>(sub_bundles_allowed(whole, importance)), bands);
+  strata_.clear();
+  for (int i = 0; i < parts; ++i)
+    strata_.push_back({whole.first + bands * i / parts, whole.first + bands * (i + 1) / parts});
+}
+
 /// Halves ranges of bands, all of one size before the next smaller, until each may share a ray or
 /// the path's share of sub-bundles is used up.
 void Fan::part(Range whole, double importance, PathWavelengths& wavelengths, RayCounts& counts) {
@@ -216,12 +225,16 @@ const std::vector<FanCell>& Fan::refract(const Bundle& bundle, int first, int la
     for (int b = first; b < last; ++b)
       add_band(b, 1.0f);
   } else {
-    part({first, last}, importance, wavelengths, counts);
+    if (bundle.spread)
+      cut({first, last}, importance);
+    else
+      part({first, last}, importance, wavelengths, counts);
     keep_one_of_each_stratum(choice, counts);
   }
   trace_shared_cells(counts);
   for (FanCell& cell : cells_) {
     cell.bundle.depth = bundle.depth + 1;
+    cell.bundle.spread = bundle.spread;
     cell.bundle.path_length = bundle.path_length + hit.t;
   }
   return cells_;

@@ -55,6 +55,7 @@ private:
   [[nodiscard]] bool all_would_leave(Range range) const;
   [[nodiscard]] bool may_share(Range range) const;
   [[nodiscard]] std::size_t sub_bundles_allowed(Range range, double importance) const;
+  void cut(Range whole, double importance);
   void part(Range whole, double importance, PathWavelengths& wavelengths, RayCounts& counts);
   void keep_one_of_each_stratum(double choice, RayCounts& counts);
 

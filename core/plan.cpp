@@ -72,6 +72,13 @@ std::vector<double> table_wavelengths(const Plan& plan) {
   return nm;
 }
 
+bool is_clear(const Material& material) {
+  const auto absent = [](const Curve& part) { return part.constant_value() == 0.0; };
+  return material.transparency.constant_value() == 1.0 && absent(material.reflectivity) &&
+         absent(material.ambient) && absent(material.diffuse) && absent(material.specular) &&
+         absent(material.emission);
+}
+
 void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
   const RenderSettings& settings = plan.settings;
   const std::vector<double> nm = table_wavelengths(plan);
@@ -102,6 +109,8 @@ void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
     m.reflects = largest(m.reflectivity) > static_cast<float>(settings.min_reflectivity);
     m.transmits = largest(m.transparency) > static_cast<float>(settings.min_transparency);
     m.lit = !m.diffuse.zero() || !m.specular.zero();
+    m.emits_behind = material.emits_behind;
+    m.clear = is_clear(material);
     if (material.emission.constant_value() != 0.0)
       m.emission_source = sources.add(material.emission);
     plan.materials.push_back(std::move(m));
@@ -214,6 +223,9 @@ double Plan::wavelength_nm(int band, double offset) const {
 Plan make_plan(const Scene& scene, const RenderSettings& settings) {
   Plan plan;
   plan.settings = settings;
+  if (settings.shadows == ShadowRule::automatic)
+    plan.settings.shadows =
+        settings.integrator == Integrator::path ? ShadowRule::opaque : ShadowRule::attenuated;
   plan.grid = BandGrid(settings.bands);
   plan.stride = padded_band_count(settings.bands);
 

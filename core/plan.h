@@ -4,6 +4,7 @@
 #include "core/index_table.h"
 #include "core/media/drop_phase_function.h"
 #include "core/scene.h"
+#include "geometry/ray_state.h"
 #include "spectral/color.h"
 
 #include <cstdint>
@@ -29,7 +30,14 @@ struct MaterialPlan {
   bool conductor = false;
   bool dielectric = false; ///< lets light in, so reflection too goes by its index
   bool reflects = false, transmits = false, lit = false; ///< what paths follow
+  bool emits_behind = true;
+  bool clear = false;       ///< lets everything through and adds nothing
   int emission_source = -1; ///< index into Plan::sources; negative: emits nothing
+
+  /// True when a ray that meets the surface sees light that it gives off.
+  [[nodiscard]] bool emits(const Hit& hit) const {
+    return emission_source >= 0 && (hit.entering || emits_behind);
+  }
 };
 
 /// Drops at the bands. A phase function is there where the scene has such lamps.
@@ -91,6 +99,14 @@ struct Plan {
   /// The wavelength at the place `offset` (0..1) of a band: a line's own where lines are all the
   /// light in the band.
   [[nodiscard]] double wavelength_nm(int band, double offset) const;
+
+  /// True for a boundary between air and drops, or drops and other drops, that is not to be seen.
+  [[nodiscard]] bool unseen(const Hit& hit) const {
+    if (!has_drops) return false;
+    const auto airy = [this](MediumId id) { return !id.valid() || media[id.index()].drops; };
+    return materials[hit.material.index()].clear && airy(hit.medium_before) &&
+           airy(hit.medium_after);
+  }
 
   static constexpr int kBackground = 0, kAmbient = 1;
   [[nodiscard]] int light_source(std::size_t light) const { return 2 + static_cast<int>(light); }

@@ -41,7 +41,10 @@ DropsPlan plan_drops(const Scene& scene, const Plan& plan, const Drops& drops) {
   };
   if (std::any_of(scene.lights.begin(), scene.lights.end(), parallel))
     result.under_sun.emplace(drops.index, nm, drops.sun_radius);
-  if (!std::all_of(scene.lights.begin(), scene.lights.end(), parallel))
+  const bool glowing =
+      std::any_of(plan.materials.begin(), plan.materials.end(),
+                  [](const MaterialPlan& material) { return material.emission_source >= 0; });
+  if (glowing || !std::all_of(scene.lights.begin(), scene.lights.end(), parallel))
     result.under_lamp.emplace(drops.index, nm, 0.0);
   return result;
 }

@@ -18,7 +18,8 @@ std::optional<dvec3> position_of(const Light& light) {
   return std::nullopt;
 }
 
-/// The diagonal of the box around all shapes and lamps.
+} // namespace
+
 double scene_size(const Scene& scene) {
   Bounds box;
   for (const PlacedShape& shape : scene.shapes)
@@ -27,8 +28,6 @@ double scene_size(const Scene& scene) {
     if (const auto position = position_of(light)) box = box.joined({*position, *position});
   return box.empty() ? 0.0 : glm::length(box.upper - box.lower);
 }
-
-} // namespace
 
 double film_quantum(const Scene& scene, const BandGrid& grid, Observer observer) {
   const auto brightness = [&](const Curve& spectrum) { // a line at the eye's limits has little Y

@@ -5,6 +5,9 @@
 
 namespace abbe {
 
+/// The diagonal of the box around all shapes (but endless ones) and lamps, in scene units.
+[[nodiscard]] double scene_size(const Scene& scene);
+
 /// The quantum of the film's sums: a power of two that is small against anything the scene can
 /// show: 2^-36 of its brightest source. Lamps whose light falls off count at a sixteenth of the
 /// scene's size. Sums then hold 2^27 times the brightest source.

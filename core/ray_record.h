@@ -7,7 +7,8 @@
 
 namespace abbe {
 
-enum class RayKind : std::uint8_t { camera, reflected, refracted, shadow };
+/// `spread`: set off from a surface that spreads light, by a density.
+enum class RayKind : std::uint8_t { camera, reflected, refracted, spread, shadow };
 
 /// The rays of a rendering in the order in which they were traced, for measurements. It grows by
 /// some 150 bytes a ray and is no place for two threads at once.

@@ -1,7 +1,9 @@
 #include "core/render.h"
 
 #include "core/camera.h"
+#include "core/integrators/path.h"
 #include "core/integrators/whitted.h"
+#include "core/lights/lamps.h"
 #include "core/sampler.h"
 
 #include <tbb/blocked_range.h>
@@ -16,6 +18,7 @@
 #include <array>
 #include <cassert>
 #include <chrono>
+#include <memory>
 #include <mutex>
 
 namespace abbe {
@@ -37,6 +40,14 @@ private:
   unsigned saved_;
 };
 
+std::unique_ptr<CameraIntegrator> make_integrator(const Scene& scene, const Plan& plan,
+                                                  const World& world, const Lamps& lamps,
+                                                  double pixel_angle) {
+  if (plan.settings.integrator == Integrator::path)
+    return std::make_unique<Path>(plan, world, lamps, pixel_angle);
+  return std::make_unique<Whitted>(scene, plan, world, pixel_angle);
+}
+
 /// Which samples of each pixel are to be rendered: [first, last).
 struct SampleRange {
   int first, last;
@@ -45,10 +56,11 @@ struct SampleRange {
 /// Renders tiles on one thread.
 class TileRenderer {
 public:
-  TileRenderer(const Scene& scene, const Plan& plan, const World& world, const CameraRays& camera,
-               const Nesting& camera_nesting, Film& film)
+  TileRenderer(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
+               const CameraRays& camera, const Nesting& camera_nesting, Film& film)
       : plan_(plan), world_(world), camera_(camera), camera_nesting_(camera_nesting), film_(film),
-        integrator_(scene, plan, world, camera.pixel_angle()), sums_(plan) {}
+        integrator_(make_integrator(scene, plan, world, lamps, camera.pixel_angle())), sums_(plan) {
+  }
 
   RayCounts render(const Tile& tile, SampleRange samples, RayRecord* record) {
     RayCounts counts;
@@ -88,7 +100,7 @@ private:
     }
     for (std::size_t i = 0; i < count; ++i) {
       sums_.clear();
-      integrator_.trace(states_[i], hits_[i], batch_[i].sampler, sums_, counts);
+      integrator_->trace(states_[i], hits_[i], batch_[i].sampler, sums_, counts);
       film_.add(batch_[i].x, batch_[i].y, sums_.color(), hits_[i].has_value(),
                 film_.bands() > 0 ? sums_.radiance() : std::span<const float>());
     }
@@ -100,7 +112,7 @@ private:
   const CameraRays& camera_;
   const Nesting& camera_nesting_;
   Film& film_;
-  Whitted integrator_;
+  std::unique_ptr<CameraIntegrator> integrator_;
   RadianceSums sums_;
   std::vector<CameraSample> batch_;
   std::array<RayState, kPacketWidth> states_;
@@ -146,6 +158,7 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
   Rendering result{
       Film(plan.window, plan.quantum, keep_bands ? plan.grid.count() : 0), {}, 0, true};
   const CameraRays camera(scene.camera, settings.width, settings.height);
+  const Lamps lamps(scene, plan);
   const Nesting camera_nesting = world.nesting_at(scene.camera.eye);
   const int passes = (settings.samples_per_pixel + kSamplesPerPass - 1) / kSamplesPerPass;
   ProgressMeter meter(progress, static_cast<std::size_t>(passes) * plan.tiles.size());
@@ -162,7 +175,7 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, plan.tiles.size(), 1),
                         [&](const tbb::blocked_range<std::size_t>& range) {
                           const DenormalsOff denormals_off;
-                          TileRenderer renderer(scene, plan, world, camera, camera_nesting,
+                          TileRenderer renderer(scene, plan, world, lamps, camera, camera_nesting,
                                                 result.film);
                           for (std::size_t i = range.begin(); i < range.end() && !stop; ++i)
                             meter.step(renderer.render(plan.tiles[i], samples, record));

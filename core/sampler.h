@@ -40,8 +40,16 @@ private:
 /// What the pairs of numbers of a camera sample are for.
 enum SamplePurpose : std::uint32_t {
   kPixelPosition = 0,
-  kWavelength = 1,   ///< x: place inside the band, y: which band of a stratum is kept
-  kScatterPlace = 2, ///< x: where drops on the way are looked at
+  kWavelength = 1, ///< x: place inside the band, y: which band of a stratum is kept
+  kDropPlace = 2,  ///< x: where drops on the way are looked at, y: which lamp lights them
+  kDropLamp = 3,   ///< a point on it
+  // From here on purposes repeat for each surface along a path, `kPerSurface` apart.
+  kScatter = 8,        ///< x: which part of the surface's scattering, y: whether the path goes on
+  kDirection = 9,      ///< of a ray that is spread
+  kLamp = 10,          ///< x: which lamp
+  kLampPoint = 11,     ///< a point on it
+  kSurfaceChoice = 12, ///< x: which band of a stratum is kept, y: which of mixed materials
+  kPerSurface = 8,
 };
 
 /// A position relative to the pixel's centre, in pixels, distributed like the filter.

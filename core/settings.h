@@ -9,12 +9,17 @@
 
 namespace abbe {
 
-enum class Integrator : std::uint8_t { whitted };
+/// `whitted`: the thesis's model, lamps and mirror images alone. `path`: all light, by random
+/// paths.
+enum class Integrator : std::uint8_t { whitted, path };
 
 /// How a shadow ray treats what lies between a surface and a lamp: any surface stops it, or
 /// transparent ones let it pass straight on, weakened by their transmittance (as the thesis's
 /// author hoped to add).
-enum class ShadowRule : std::uint8_t { none, opaque, attenuated };
+///
+/// `automatic` is `attenuated` with `whitted` and `opaque` with `path`, whose paths find the light
+/// behind glass themselves.
+enum class ShadowRule : std::uint8_t { none, opaque, attenuated, automatic };
 
 /// The reconstruction filter, sampled in proportion to its value; `gaussian` has a standard
 /// deviation of half a pixel and ends at 1.5 pixels, `tent` ends at 1, `box` at half a pixel.
@@ -36,7 +41,7 @@ struct RenderSettings {
   double min_throughput = 1e-3;  ///< a branch whose every band carries less is dropped
   double min_reflectivity = 0.0; ///< the thesis's: no reflected ray from surfaces below it
   double min_transparency = 0.0; ///< the thesis's: no refracted ray through surfaces below it
-  ShadowRule shadows = ShadowRule::attenuated;
+  ShadowRule shadows = ShadowRule::automatic;
 
   bool exact = false;             ///< every band its own ray: neither tolerance nor roulette
   bool jitter = true;             ///< wavelengths drawn inside the bands instead of their centres

@@ -9,10 +9,12 @@ namespace abbe {
 
 /// How many rays were traced, by kind.
 struct RayCounts {
-  std::uint64_t camera = 0, reflected = 0, refracted = 0, shadow = 0;
+  std::uint64_t camera = 0, reflected = 0, refracted = 0, spread = 0, shadow = 0;
   RayRecord* record = nullptr; ///< keeps the rays themselves, where somebody wants to know them
 
-  [[nodiscard]] std::uint64_t total() const { return camera + reflected + refracted + shadow; }
+  [[nodiscard]] std::uint64_t total() const {
+    return camera + reflected + refracted + spread + shadow;
+  }
   [[nodiscard]] std::uint64_t& of(RayKind kind) {
     switch (kind) {
     case RayKind::camera:
@@ -21,6 +23,8 @@ struct RayCounts {
       return reflected;
     case RayKind::refracted:
       return refracted;
+    case RayKind::spread:
+      return spread;
     case RayKind::shadow:
       break;
     }
@@ -43,6 +47,7 @@ struct RayCounts {
     camera += other.camera;
     reflected += other.reflected;
     refracted += other.refracted;
+    spread += other.spread;
     shadow += other.shadow;
     return *this;
   }

@@ -109,7 +109,7 @@ void add_settings(CLI::App& app, SettingsOverride& s) {
          },
          "Render only pixels x0 <= x < x1, y0 <= y < y1, counted from the upper left corner")
       ->type_name("x0,y0,x1,y1");
-  add_choice<Integrator>(app, "--integrator", s.integrator, {{"whitted", Integrator::whitted}},
+  add_choice<Integrator>(app, "--integrator", s.integrator, {{"whitted", Integrator::whitted}, {"path", Integrator::path}},
                          "Model of light transport");
   app.add_option("--depth", s.max_depth,
                  "How often a path may be reflected or refracted (default 16)")
@@ -121,7 +121,7 @@ void add_settings(CLI::App& app, SettingsOverride& s) {
                          {{"none", ShadowRule::none},
                           {"opaque", ShadowRule::opaque},
                           {"attenuated", ShadowRule::attenuated}},
-                         "What glass does to shadow rays (default attenuated)");
+                         "What glass does to shadow rays (default: attenuated with whitted, opaque with path)");
   add_choice<PixelFilter>(
       app, "--filter", s.filter,
       {{"box", PixelFilter::box}, {"tent", PixelFilter::tent}, {"gaussian", PixelFilter::gaussian}},

@@ -68,7 +68,7 @@ void read_seed(SceneState& state, Arguments& arguments) {
 
 void read_integrator(SceneState& state, Arguments& arguments) {
   state.scene.settings.integrator =
-      arguments.choice<Integrator>({{"whitted", Integrator::whitted}});
+      arguments.choice<Integrator>({{"whitted", Integrator::whitted}, {"path", Integrator::path}});
 }
 
 void read_filter(SceneState& state, Arguments& arguments) {
@@ -102,7 +102,7 @@ constexpr std::array kKeywords{
     SceneKeyword{"samples n", read_samples},
     SceneKeyword{"bands n", read_bands},
     SceneKeyword{"seed n", read_seed},
-    SceneKeyword{"integrator whitted", read_integrator},
+    SceneKeyword{"integrator whitted|path", read_integrator},
     SceneKeyword{"filter box|tent|gaussian", read_filter},
     SceneKeyword{"jitter on|off", read_switch<&RenderSettings::jitter>},
     SceneKeyword{"exact on|off", read_switch<&RenderSettings::exact>},

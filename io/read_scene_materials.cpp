@@ -49,6 +49,10 @@ void read_emissive(SceneState& state, Arguments& arguments) {
   state.material.finish.emission = read_emission(state, arguments);
 }
 
+void read_emissive_sides(SceneState& state, Arguments& arguments) {
+  state.material.finish.emits_behind = arguments.choice<bool>({{"both", true}, {"front", false}});
+}
+
 void read_exponent(SceneState& state, Arguments& arguments) {
   state.material.finish.specular_exponent = arguments.number({"the exponent of the highlight"});
 }
@@ -144,6 +148,7 @@ constexpr std::array kKeywords{
     SceneKeyword{"diffuse r g b", read_reflectance<&Material::diffuse>, true},
     SceneKeyword{"specular r g b", read_reflectance<&Material::specular>, true},
     SceneKeyword{"emissive r g b | SPECTRUM [factor]", read_emissive, true},
+    SceneKeyword{"emissiveSides both|front", read_emissive_sides, true},
     SceneKeyword{"specularExponent e", read_exponent, true},
     SceneKeyword{"reflectivity x", read_reflectivity, true},
     SceneKeyword{"transparency x", read_transparency, true},

@@ -12,10 +12,10 @@ namespace {
 
 // A member added to the struct does not compile here until it is added to the comparison.
 auto members(const Material& m) {
-  const auto& [name, ambient, diffuse, specular, emission, exponent, reflectivity, transparency,
-               fresnel, metal] = m;
-  return std::tie(name, ambient, diffuse, specular, emission, exponent, reflectivity, transparency,
-                  fresnel, metal);
+  const auto& [name, ambient, diffuse, specular, emission, emits_behind, exponent, reflectivity,
+               transparency, fresnel, metal] = m;
+  return std::tie(name, ambient, diffuse, specular, emission, emits_behind, exponent, reflectivity,
+                  transparency, fresnel, metal);
 }
 
 auto members(const Medium& m) {

@@ -19,6 +19,7 @@ const float* ShadowRays::transmittance(const RayState& towards_lamp, double dist
     if (plan_.has_drops) break; // they are in the way, and stop no ray
     counts.add_any_hit(RayKind::shadow, towards_lamp, distance);
     return world_.occluded(towards_lamp, distance) ? nullptr : ones_.data();
+  case ShadowRule::automatic: // never in a plan
   case ShadowRule::attenuated:
     break;
   }
@@ -29,8 +30,6 @@ const float* ShadowRays::transmittance(const RayState& towards_lamp, double dist
 
 bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
                            PathWavelengths& wavelengths, RayCounts& counts) {
-  // What a boundary bounds: air, with drops or without, or something that is seen.
-  const auto airy = [&](MediumId id) { return !id.valid() || plan_.medium(id).drops; };
   for (;;) {
     counts.add(RayKind::shadow, state);
     const auto hit = world_.closest(state);
@@ -39,13 +38,13 @@ bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
     absorb(plan_.medium(medium), way, first, last, transmittance_.data());
     if (!hit || hit->t >= distance) return true;
     const MaterialPlan& material = plan_.materials[hit->material.index()];
-    if (!material.transmits) return false;
-    if (plan_.settings.shadows == ShadowRule::opaque &&
-        !(airy(hit->medium_before) && airy(hit->medium_after)))
-      return false;
-    const double cos_i = std::min(1.0, std::abs(glm::dot(hit->normal, state.ray.direction)));
-    attenuate_straight(material, cos_i, wavelengths.indices(hit->medium_before),
-                       wavelengths.indices(hit->medium_after), first, last, transmittance_.data());
+    if (!plan_.unseen(*hit)) {
+      if (!material.transmits || plan_.settings.shadows == ShadowRule::opaque) return false;
+      const double cos_i = std::min(1.0, std::abs(glm::dot(hit->normal, state.ray.direction)));
+      attenuate_straight(material, cos_i, wavelengths.indices(hit->medium_before),
+                         wavelengths.indices(hit->medium_after), first, last,
+                         transmittance_.data());
+    }
     state.ray.origin = hit->point;
     state.contacts = hit->other_side;
     state.nesting = hit->nesting_after;

@@ -12,43 +12,86 @@
 namespace abbe {
 
 SingleScatter::SingleScatter(const Scene& scene, const Plan& plan, const World& world)
-    : scene_(scene), plan_(plan), world_(world), shadow_rays_(plan, world),
+    : scene_(&scene), plan_(plan), world_(world), shadow_rays_(plan, world),
       ones_(1.0f, plan.grid.count()), seen_(plan.stride), lit_(plan.stride) {}
 
-void SingleScatter::add(const RayState& state, double way, MediumId medium, int first, int last,
+SingleScatter::SingleScatter(const Lamps& lamps, const Plan& plan, const World& world)
+    : lamps_(&lamps), plan_(plan), world_(world), shadow_rays_(plan, world),
+      ones_(1.0f, plan.grid.count()), seen_(plan.stride), lit_(plan.stride) {}
+
+void SingleScatter::begin_path(const Sampler& sampler) {
+  if (!plan_.has_drops) return;
+  place_ = sampler.pair(kDropPlace);
+  lamp_point_ = sampler.pair(kDropLamp);
+}
+
+void SingleScatter::arrive(Bundle& bundle, float* throughput, PathWavelengths& wavelengths,
+                           RadianceSums& sums, RayCounts& counts) {
+  for (;;) {
+    const double way = bundle.hit ? bundle.hit->t : kInfinity;
+    const MediumPlan& medium = plan_.medium(bundle.hit ? bundle.hit->medium_before
+                                                       : world_.medium_of(bundle.state.nesting));
+    if (medium.drops) add(bundle, way, medium, throughput, wavelengths, sums, counts);
+    absorb(medium, way, bundle.first, bundle.last, throughput);
+    if (!bundle.hit || !plan_.unseen(*bundle.hit)) return;
+    const Hit& hit = *bundle.hit;
+    bundle.state.ray.origin = hit.point;
+    bundle.state.contacts = hit.other_side;
+    bundle.state.nesting = hit.nesting_after;
+    bundle.passed += way;
+    bundle.path_length += way;
+    bundle.position_spread += bundle.direction_spread * way;
+    bundle.hit = world_.closest(bundle.state);
+    counts.add(RayKind::refracted, bundle.state);
+  }
+}
+
+void SingleScatter::find_lights(const dvec3& place) {
+  lights_.clear();
+  if (lamps_) {
+    if (const auto lamp = lamps_->sample(place, place_.y, lamp_point_))
+      lights_.push_back({lamp->direction, lamp->distance, lamp->weight, lamp->source});
+    return;
+  }
+  for (std::size_t i = 0; i < scene_->lights.size(); ++i) {
+    const Illumination light = illumination(scene_->lights[i], place);
+    if (light.strength > 0.0)
+      lights_.push_back({light.direction, light.distance, std::numbers::pi * light.strength,
+                         plan_.light_source(i)});
+  }
+}
+
+void SingleScatter::add(const Bundle& bundle, double way, const MediumPlan& medium,
                         const float* throughput, PathWavelengths& wavelengths, RadianceSums& sums,
                         RayCounts& counts) {
-  const MediumPlan& filling = plan_.medium(medium);
-  if (!filling.drops) return;
-  const DropsPlan& drops = *filling.drops;
+  const DropsPlan& drops = *medium.drops;
   const double extinction = drops.extinction_per_unit;
   const double scattered = -std::expm1(-extinction * way); // of a ray that goes all the way
-  if (!(scattered > 0.0)) return;
-  const double distance = -std::log1p(-place_ * scattered) / extinction;
-  const dvec3 point = state.ray.at(distance);
-  // The ray may have passed boundaries that do not show, so its own nesting need not hold here.
+  const double distance = -std::log1p(-place_.x * scattered) / extinction;
+  const dvec3 point = bundle.state.ray.at(distance);
+  find_lights(point);
+  if (lights_.empty()) return;
+  // The ray may have passed boundaries between equal media, so its own nesting need not hold here.
   const Nesting nesting = world_.nesting_at(point);
+  const int first = bundle.first, last = bundle.last;
   std::copy(throughput + first, throughput + last, seen_.begin() + first);
-  absorb(filling, distance, first, last, seen_.data());
+  absorb(medium, distance, first, last, seen_.data());
   // s exp(-s t) over the density of the place; `absorb` has applied exp(-s t) already.
   const double weight = scattered * std::exp(extinction * distance);
 
-  for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
-    const Illumination light = illumination(scene_.lights[i], point);
-    if (light.strength == 0.0) continue;
-    const auto& phase = std::isinf(light.distance) ? drops.under_sun : drops.under_lamp;
+  for (const Light& light : lights_) {
     const RayState towards_lamp{{point, light.direction}, {}, nesting};
     const float* arriving =
         shadow_rays_.transmittance(towards_lamp, light.distance, first, last, wavelengths, counts);
     if (!arriving) continue;
-    const auto part = phase->at(glm::dot(light.direction, state.ray.direction));
+    const auto& phase = std::isinf(light.distance) ? drops.under_sun : drops.under_lamp;
+    const auto part = phase->at(glm::dot(light.direction, bundle.state.ray.direction));
     for (int b = first; b < last; ++b) {
       const auto k = static_cast<std::size_t>(b);
       lit_[k] = seen_[k] * arriving[b] * part[b];
     }
-    const double irradiance = std::numbers::pi * light.strength;
-    sums.add(plan_.light_source(i), lit_.data(), ones_, static_cast<float>(weight * irradiance),
-             first, last);
+    sums.add(light.source, lit_.data(), ones_, static_cast<float>(weight * light.weight), first,
+             last);
   }
 }
 

@@ -1,6 +1,5 @@
 #include "core/integrators/whitted.h"
 
-#include "core/integrators/absorption.h"
 #include "core/lights/illumination.h"
 #include "core/materials/conductor.h"
 #include "core/materials/fresnel.h"
@@ -39,7 +38,7 @@ void Whitted::trace(const RayState& camera_ray, const std::optional<Hit>& hit,
                     const Sampler& sampler, RadianceSums& sums, RayCounts& counts) {
   const dvec2 u = sampler.pair(kWavelength);
   decisions_ = sampler.decisions();
-  single_scatter_.begin_path(plan_.has_drops ? sampler.pair(kScatterPlace).x : 0.5);
+  single_scatter_.begin_path(sampler);
   wavelengths_.begin_path(plan_.settings.jitter ? u.x : 0.5);
   Bundle first;
   first.first = plan_.first_band;
@@ -48,10 +47,11 @@ void Whitted::trace(const RayState& camera_ray, const std::optional<Hit>& hit,
   first.hit = hit;
   push(first, plan_.live.data(), 1.0f);
   while (!waiting_.empty()) {
-    const Bundle bundle = waiting_.back();
+    Bundle bundle = waiting_.back();
     const float* stored = row(waiting_.size() - 1);
     std::copy(stored + bundle.first, stored + bundle.last, throughput_.begin() + bundle.first);
     waiting_.pop_back();
+    single_scatter_.arrive(bundle, throughput_.data(), wavelengths_, sums, counts);
     shade(bundle, sums, counts);
     if (bundle.hit && bundle.depth < plan_.settings.max_depth) scatter(bundle, u.y, counts);
   }
@@ -61,19 +61,13 @@ void Whitted::shade(const Bundle& bundle, RadianceSums& sums, RayCounts& counts)
   const auto add = [&](int source, const BandTable& factor) {
     sums.add(source, throughput_.data(), factor, 1.0f, bundle.first, bundle.last);
   };
-  const MediumId medium =
-      bundle.hit ? bundle.hit->medium_before : world_.medium_of(bundle.state.nesting);
-  const double way = bundle.hit ? bundle.hit->t : kInfinity;
-  single_scatter_.add(bundle.state, way, medium, bundle.first, bundle.last, throughput_.data(),
-                      wavelengths_, sums, counts);
-  absorb(plan_.medium(medium), way, bundle.first, bundle.last, throughput_.data());
   if (!bundle.hit) {
     add(Plan::kBackground, ones_);
     return;
   }
   const Hit& hit = *bundle.hit;
   const MaterialPlan& material = plan_.materials[hit.material.index()];
-  if (material.emission_source >= 0) add(material.emission_source, ones_);
+  if (material.emits(hit)) add(material.emission_source, ones_);
   if (!material.ambient.zero()) add(Plan::kAmbient, material.ambient);
   if (material.lit) add_lamps(bundle, material, sums, counts);
 }

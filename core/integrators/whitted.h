@@ -1,11 +1,10 @@
 #pragma once
 
 #include "core/fan.h"
+#include "core/integrators/integrator.h"
 #include "core/integrators/shadow.h"
 #include "core/integrators/single_scatter.h"
 #include "core/materials/dielectric.h"
-#include "core/radiance_sums.h"
-#include "core/sampler.h"
 
 #include <vector>
 
@@ -13,14 +12,13 @@ namespace abbe {
 
 /// The thesis's model of light [War05, 4.6; Whitted80], per band: ambient, emitted, Lambert and
 /// Phong (with Blinn's half vector) light of the lamps, and the trees of reflected and refracted
-/// rays. One object serves one thread; it keeps the memory of its paths.
-class Whitted {
+/// rays.
+class Whitted final : public CameraIntegrator {
 public:
   Whitted(const Scene& scene, const Plan& plan, const World& world, double pixel_angle);
 
-  /// Follows a camera ray that has been traced to `hit` and adds what it sees to `sums`.
   void trace(const RayState& camera_ray, const std::optional<Hit>& hit, const Sampler& sampler,
-             RadianceSums& sums, RayCounts& counts);
+             RadianceSums& sums, RayCounts& counts) override;
 
 private:
   /// A bundle that waits for its turn; its throughput is the row of the same number.

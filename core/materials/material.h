@@ -14,7 +14,7 @@ struct Medium {
   std::string name;
   Dispersion index = ConstantIndex{1.0};
   Curve absorption_per_mm = Curve::constant(0.0); ///< Beer-Lambert: exp(-absorption * length)
-  std::optional<Drops> drops{}; ///< that hang in it; its index is then 1
+  std::optional<Drops> drops{};                   ///< that hang in it; its index is then 1
 };
 
 /// A metal's complex refractive index n - i k.
@@ -31,6 +31,7 @@ struct Material {
   Curve diffuse = Curve::constant(0.0);
   Curve specular = Curve::constant(0.0);
   Curve emission = Curve::constant(0.0); ///< radiance that the surface gives off
+  bool emits_behind = true; ///< a flat shape gives it off on both sides; a solid does so outwards
   double specular_exponent = 1.0;
   Curve reflectivity = Curve::constant(0.0); ///< scales the reflected part
   Curve transparency = Curve::constant(0.0); ///< scales the refracted part

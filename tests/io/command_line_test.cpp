@@ -275,7 +275,7 @@ TEST_CASE("a command line that cannot be understood ends with 2") {
       {"--exposure", "inf"},  {"--exposure", "nan"},
       {"--jitter", "maybe"},  {"--filter", "sinc"},
       {"--gamut", "rotate"},  {"--tiff-depth", "12"},
-      {"--png-depth", "32"},  {"--integrator", "path"},
+      {"--png-depth", "32"},  {"--integrator", "photons"},
       {"--shadows"},          {"--observer", "5"},
       {"--display", "crt"},   {"--transfer", "0"},
       {"--transfer", "log"},  {"--white-point", "D66"},

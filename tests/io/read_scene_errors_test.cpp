@@ -101,8 +101,9 @@ TEST_CASE("errors of camera and film") {
                                        "distance in pixels). Give a number 0 or more");
   CHECK(scene_error("seed -1") == "s.sdl:1:6: \"-1\" is not a seed (seed takes n). Give a whole "
                                   "number from 0 to 18446744073709551615");
-  CHECK(scene_error("integrator path") == "s.sdl:1:12: \"path\" is no choice of integrator "
-                                          "(integrator takes whitted). Give whitted");
+  CHECK(scene_error("integrator photons") ==
+        "s.sdl:1:12: \"photons\" is no choice of integrator "
+        "(integrator takes whitted|path). Give whitted or path");
   CHECK(scene_error("filter 2a") == "s.sdl:1:8: \"2a\" is no choice of filter (filter takes "
                                     "box|tent|gaussian). Give box, tent or gaussian");
   CHECK(scene_error("crop -1 0 1 1") == "s.sdl:1:6: -1 is out of range for crop (it is an edge in "

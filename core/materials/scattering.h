@@ -1,0 +1,76 @@
+#pragma once
+
+#include "core/frame.h"
+#include "core/materials/dielectric.h"
+#include "core/path_wavelengths.h"
+#include "geometry/ray_state.h"
+
+#include <glm/vec2.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace abbe {
+
+using glm::dvec2;
+
+/// How a path goes on from a surface: along the one reflected ray, along the refracted rays (each
+/// band its own), or to any side by a density.
+enum class ScatterKind : std::uint8_t { none, reflect, refract, spread };
+
+/// What one surface does with one bundle: the mirror's part and the glass's part as factors per
+/// band, and the part that spreads light as a function of direction.
+class Scattering {
+public:
+  explicit Scattering(const Plan& plan);
+
+  /// Prepares for bands [first, last) of a ray along `direction` that meets `hit`. The parts are
+  /// chosen in proportion to what they would bring of `throughput`, summed over the bands.
+  void prepare(const MaterialPlan& material, const Hit& hit, const dvec3& direction, int first,
+               int last, const float* throughput, PathWavelengths& wavelengths);
+
+  /// True when some of the light is spread, so that lamps can be aimed at.
+  [[nodiscard]] bool spreads() const { return spread_ > 0.0; }
+
+  /// True when there is but one part, or none, to choose.
+  [[nodiscard]] bool certain() const {
+    return (reflect_ > 0.0) + (refract_ > 0.0) + (spread_ > 0.0) < 2;
+  }
+
+  /// One of the parts, by a number in [0, 1), and the chance with which it was chosen.
+  struct Choice {
+    ScatterKind kind = ScatterKind::none;
+    double chance = 1.0;
+  };
+  [[nodiscard]] Choice choose(double u) const;
+
+  /// Factors on radiance that comes along the reflected and the refracted ray.
+  [[nodiscard]] const float* reflected() const { return factors_.reflected.data(); }
+  [[nodiscard]] const float* transmitted() const { return factors_.transmitted.data(); }
+
+  /// The spreading part for light from the unit direction `towards`: fills [first, last) of
+  /// `f_cos` with the scattering function times the cosine. Returns the density per steradian with
+  /// which `sample` chooses the direction, the chance of choosing the part included; 0 where
+  /// nothing is scattered.
+  double evaluate(const dvec3& towards, float* f_cos) const;
+
+  /// A direction from which the spreading part brings light, for two numbers in [0, 1); the part
+  /// has been chosen already. Nothing where the direction has no light to bring.
+  [[nodiscard]] std::optional<dvec3> sample(const dvec2& u) const;
+
+private:
+  void find_smooth_parts(const float* throughput, PathWavelengths& wavelengths);
+  [[nodiscard]] double phong_density(const dvec3& local) const;
+
+  const Plan& plan_;
+  const MaterialPlan* material_ = nullptr;
+  const Hit* hit_ = nullptr;
+  int first_ = 0, last_ = 0;
+  Frame frame_{dvec3(0.0, 0.0, 1.0)}; ///< z: the normal on the side that the ray comes from
+  dvec3 to_eye_{0.0};                 ///< in that frame
+  DielectricScatter factors_;
+  double reflect_ = 0.0, refract_ = 0.0, spread_ = 0.0; ///< chances of the parts
+  double lambert_ = 1.0;                                ///< chance of Lambert's, given spread
+};
+
+} // namespace abbe
