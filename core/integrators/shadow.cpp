@@ -38,6 +38,8 @@ bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
     absorb(plan_.medium(medium), way, first, last, transmittance_.data());
     if (!hit || hit->t >= distance) return true;
     const MaterialPlan& material = plan_.materials[hit->material.index()];
+    // The way may end on a lamp that glows; whether it does, rounding must not decide.
+    if (material.emission_source >= 0 && !world_.occluded(state, distance)) return true;
     if (!plan_.unseen(*hit)) {
       if (!material.transmits || plan_.settings.shadows == ShadowRule::opaque) return false;
       const double cos_i = std::min(1.0, std::abs(glm::dot(hit->normal, state.ray.direction)));

@@ -64,3 +64,28 @@ TEST_CASE("the plan tells the bows of its drops and what is left out") {
     return note.find("drops: n_d 1.3330, primary bow 42.1, secondary bow 50.9, degrees") == 0;
   }));
 }
+
+TEST_CASE("only boundaries of drops with nothing of their own are unseen") {
+  const auto clear = [](const std::string& text) {
+    return plan_of("light E 0 1 0 0 " + text).materials.at(0).clear;
+  };
+  CHECK(clear("drops 1 cube"));
+  CHECK(clear("bands 3 drops 1 fresnel on cube"));
+  CHECK_FALSE(clear("drops 1 reflectivity 0.1 cube"));
+  CHECK_FALSE(clear("drops 1 emissive 1 0 0 cube"));
+  CHECK_FALSE(clear("drops 1 transparency 0.5 cube"));
+  const Plan plan = plan_of("light E 0 1 0 0 drops 1 cube glass N-BK7 cube");
+  const auto unseen = [&](int material, MediumId before, MediumId after) {
+    Hit hit;
+    hit.material = {material};
+    hit.medium_before = before;
+    hit.medium_after = after;
+    return plan.unseen(hit);
+  };
+  const MediumId air, drops{0}, glass{1};
+  CHECK(unseen(0, air, drops));
+  CHECK(unseen(0, drops, air));
+  CHECK_FALSE(unseen(1, air, glass));
+  CHECK_FALSE(unseen(1, drops, glass));
+  CHECK_FALSE(unseen(0, glass, drops));
+}

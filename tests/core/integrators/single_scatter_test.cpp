@@ -38,11 +38,14 @@ double phase(double angle_deg) {
 TEST_CASE("drops lit from the side send what their depth and their phase function say") {
   const double s = 0.4;
   const double expected = (1.0 - std::exp(-2.0 * s)) * phase(90.0) * kPi * std::exp(-s);
-  CHECK(seen("light E 1 0 0 0" + kCube) == Approx(expected).epsilon(1e-5));
-  CHECK(seen("intensity 3 light E 0 -1 0 0" + kCube) == Approx(3.0 * expected).epsilon(1e-5));
-  // All that is behind the drops is weakened.
-  CHECK(seen("background E 0.7 light E 1 0 0 0" + kCube) ==
-        Approx(expected + 0.7 * std::exp(-2.0 * s)).epsilon(1e-5));
+  for (const std::string integrator : {"", "integrator path "}) {
+    CHECK(seen(integrator + "light E 1 0 0 0" + kCube) == Approx(expected).epsilon(1e-5));
+    CHECK(seen(integrator + "intensity 3 light E 0 -1 0 0" + kCube) ==
+          Approx(3.0 * expected).epsilon(1e-5));
+    // All that is behind the drops is weakened.
+    CHECK(seen(integrator + "background E 0.7 light E 1 0 0 0" + kCube) ==
+          Approx(expected + 0.7 * std::exp(-2.0 * s)).epsilon(1e-5));
+  }
 }
 
 // Light from behind the camera goes as deep as the ray: L = integral of s exp(-2 s t) dt p pi.
@@ -104,6 +107,7 @@ TEST_CASE("the solid that drops fill is not seen itself") {
   const std::string thin = "background E 0.7 drops 1e-9 ";
   CHECK(seen(thin + "cube") == Approx(0.7).epsilon(1e-6));
   CHECK(seen(thin + "rotate 33 1 2 3 scale 1 2 1 sphere") == Approx(0.7).epsilon(1e-6));
+  CHECK(seen(thin + "integrator path cube") == Approx(0.7).epsilon(1e-6));
 }
 
 // A ray passes boundaries between equal media without a stop, and the solids around a place are
@@ -142,4 +146,41 @@ TEST_CASE("drops behind glass are seen through it, and those behind an opaque su
              "defaultMaterials ambient 0 0 0 diffuse 0 0 0 "
              "push translate 0 0 8 cube pop" +
              kCube) == 0.0);
+}
+
+TEST_CASE("boundaries of drops count as no surface of a path") {
+  for (const char* integrator : {"", "integrator path "})
+    CHECK(seen(std::string(integrator) + "maxRecursionDepth 0 background E 0.7 drops 0.1 cube "
+                                         "push translate 0 0 5 cube pop") ==
+          Approx(0.7 * std::exp(-0.4)).epsilon(1e-6));
+}
+
+TEST_CASE("lamps drawn one at a time light drops as all together do") {
+  const std::string lamps = "light E 1 0 0 0 intensity 2 light E 0 1 0 0 light E 30 0 0 1 ";
+  CHECK(seen("integrator path " + lamps + kCube, 4096) ==
+        Approx(seen(lamps + kCube)).epsilon(2e-2));
+}
+
+// The square of 0.04 units^2 at a distance of 20 and of radiance 1 has an irradiance of 1e-4.
+TEST_CASE("surfaces that glow light the drops of a random path") {
+  const std::string square = "defaultMaterials ambient 0 0 0 diffuse 0 0 0 emissive E 1 "
+                             "push translate 20 0 0 scale 0.1 0.1 0.1 rotate 90 0 1 0 square pop ";
+  const std::string drops = kDrops + "push scale 0.01 0.01 0.01 cube pop";
+  const double depth = 0.4 * 0.02;
+  CHECK(seen("integrator path " + square + drops, 64) ==
+        Approx((1.0 - std::exp(-depth)) * phase(90.0) * 1e-4).epsilon(1e-2));
+  CHECK(seen(square + drops) == 0.0); // the thesis's model has lamps only
+}
+
+// Lamps that glow are reached in two ways, aimed at and by chance, and each is weighed with where
+// the path was last spread; drops on the way must not be taken for that place.
+TEST_CASE("drops on the way leave the weights of glowing lamps as they are") {
+  const std::string room =
+      "integrator path eye 3 0 2 lookAt 0 0 0 defaultMaterials ambient 0 0 0 diffuse 0.6 0.6 0.6 "
+      "square diffuse 0 0 0 emissive E 1 push translate 0 0 1 scale 2 2 1 square pop "
+      "defaultMaterials ";
+  const double open = seen(room, 1024);
+  CHECK(open > 0.1);
+  CHECK(seen(room + "drops 1e-9 push translate 0 0 0.5 scale 2 2 0.4 cube pop", 1024) ==
+        Approx(open).epsilon(1e-4));
 }
