@@ -177,7 +177,7 @@ TEST_CASE("surfaces that glow light the drops of a random path") {
 TEST_CASE("drops on the way leave the weights of glowing lamps as they are") {
   const std::string room =
       "integrator path eye 3 0 2 lookAt 0 0 0 defaultMaterials ambient 0 0 0 diffuse 0.6 0.6 0.6 "
-      "square diffuse 0 0 0 emissive E 1 push translate 0 0 1 scale 2 2 1 square pop "
+      "square diffuse 0 0 0 emissive E 1 push translate 0 0 1 square pop "
       "defaultMaterials ";
   const double open = seen(room, 1024);
   CHECK(open > 0.1);
