@@ -42,6 +42,8 @@ const char* name(RayKind kind) {
     return "spread";
   case RayKind::shadow:
     return "shadow";
+  case RayKind::light:
+    return "light";
   }
   return "";
 }

@@ -16,11 +16,8 @@ Json json(const std::optional<double>& value) {
 }
 
 Json json(const RayCounts& c) {
-  return {{"camera", c.camera},
-          {"reflected", c.reflected},
-          {"refracted", c.refracted},
-          {"spread", c.spread},
-          {"shadow", c.shadow}};
+  return {{"camera", c.camera}, {"reflected", c.reflected}, {"refracted", c.refracted},
+          {"spread", c.spread}, {"shadow", c.shadow},       {"light", c.light}};
 }
 
 Json json(const Machine& m) {

@@ -15,6 +15,9 @@ public:
   [[nodiscard]] Ray ray(const glm::dvec2& position) const;
   /// Where a world point appears, in pixels; nothing when it is not in front of the camera.
   [[nodiscard]] std::optional<glm::dvec2> project(const dvec3& point) const;
+  [[nodiscard]] const dvec3& eye() const { return eye_; }
+  /// The unit direction of view.
+  [[nodiscard]] const dvec3& forward() const { return forward_; }
   /// Width of a pixel in the middle of the image as seen from the eye, in radians.
   [[nodiscard]] double pixel_angle() const { return pixel_angle_; }
 

@@ -1,5 +1,6 @@
 #include "core/film.h"
 
+#include <atomic>
 #include <cmath>
 
 namespace abbe {
@@ -7,6 +8,8 @@ namespace {
 
 /// A sample that alone would overflow a sum.
 constexpr double kLargestSteps = 0x1p62;
+/// Splats are added without a lock: so many threads as there may be must fit above kLargestSteps.
+constexpr double kLargestSplat = 0x1p50;
 
 std::int64_t steps(double value, double quantum) {
   return std::llround(value / quantum);
@@ -50,13 +53,48 @@ void Film::add(int x, int y, const Xyz& color, bool covered, std::span<const flo
       sum(band_sums_[pixel * static_cast<std::size_t>(bands_) + b], radiance[b], pixel);
 }
 
+void Film::enable_splats() {
+  splats_.resize(sums_.size());
+  band_splats_.resize(band_sums_.size());
+}
+
+/// Integers may be added in any order. A sum that has come near its end takes no more.
+void Film::splat(std::int64_t& total, double value) {
+  const auto refuse = [](std::uint64_t& tally) {
+    std::atomic_ref(tally).fetch_add(1, std::memory_order_relaxed);
+  };
+  if (!std::isfinite(value)) return refuse(refused_splats_.not_finite);
+  if (value < 0.0) return refuse(refused_splats_.negative);
+  const std::atomic_ref sum(total);
+  if (value / quantum_ > kLargestSplat ||
+      static_cast<double>(sum.load(std::memory_order_relaxed)) > kLargestSteps)
+    return refuse(refused_splats_.overflow);
+  sum.fetch_add(steps(value, quantum_), std::memory_order_relaxed);
+}
+
+void Film::add_splat(int x, int y, const Xyz& color, std::span<const float> radiance) {
+  const std::size_t pixel = index(x, y);
+  splat(splats_[3 * pixel], color.x);
+  splat(splats_[3 * pixel + 1], color.y);
+  splat(splats_[3 * pixel + 2], color.z);
+  for (std::size_t b = 0; b < static_cast<std::size_t>(bands_); ++b)
+    splat(band_splats_[pixel * static_cast<std::size_t>(bands_) + b], radiance[b]);
+}
+
+double Film::splat_mean(const std::vector<std::int64_t>& splats, std::size_t i) const {
+  if (splats.empty() || light_passes_ == 0.0) return 0.0;
+  return static_cast<double>(splats[i]) * quantum_ / light_passes_;
+}
+
 double Film::mean(std::int64_t sum, std::size_t pixel) const {
   return counts_[pixel] ? static_cast<double>(sum) * quantum_ / counts_[pixel] : 0.0;
 }
 
 Xyz Film::color(int x, int y) const {
   const std::size_t p = index(x, y);
-  return {mean(sums_[3 * p], p), mean(sums_[3 * p + 1], p), mean(sums_[3 * p + 2], p)};
+  return {mean(sums_[3 * p], p) + splat_mean(splats_, 3 * p),
+          mean(sums_[3 * p + 1], p) + splat_mean(splats_, 3 * p + 1),
+          mean(sums_[3 * p + 2], p) + splat_mean(splats_, 3 * p + 2)};
 }
 
 double Film::alpha(int x, int y) const {
@@ -66,11 +104,12 @@ double Film::alpha(int x, int y) const {
 
 double Film::radiance(int x, int y, int band) const {
   const std::size_t p = index(x, y);
-  return mean(band_sums_[p * static_cast<std::size_t>(bands_) + static_cast<std::size_t>(band)], p);
+  const std::size_t i = p * static_cast<std::size_t>(bands_) + static_cast<std::size_t>(band);
+  return mean(band_sums_[i], p) + splat_mean(band_splats_, i);
 }
 
 Film::Refused Film::refused() const {
-  Refused total;
+  Refused total = refused_splats_;
   for (const auto& tally : refused_) {
     total.not_finite += tally[0];
     total.negative += tally[1];

@@ -23,10 +23,18 @@ public:
   /// threads at once.
   void add(int x, int y, const Xyz& color, bool covered, std::span<const float> radiance);
 
+  /// Makes room for splats.
+  void enable_splats();
+  /// Adds what a light path brings to a pixel inside the window, as a mean over the light paths of
+  /// one pass. Any number of threads may add at once.
+  void add_splat(int x, int y, const Xyz& color, std::span<const float> radiance);
+  /// Counts the light paths whose splats were added, in passes.
+  void add_light_passes(double passes) { light_passes_ += passes; }
+
   [[nodiscard]] const PixelWindow& window() const { return window_; }
   [[nodiscard]] int bands() const { return bands_; }
 
-  // Means over the samples of a pixel; 0 where there is none.
+  // Means over the samples of a pixel, and splats over the light passes; 0 where there is none.
   [[nodiscard]] Xyz color(int x, int y) const;
   [[nodiscard]] double alpha(int x, int y) const;
   [[nodiscard]] double radiance(int x, int y, int band) const;
@@ -46,13 +54,19 @@ private:
   /// True when the value can be summed; else the pixel's tally of refused samples grows.
   bool accept(double value, std::size_t pixel);
   void sum(std::int64_t& total, double value, std::size_t pixel);
+  void splat(std::int64_t& total, double value);
   [[nodiscard]] double mean(std::int64_t sum, std::size_t pixel) const;
+  /// Entry `i` of splats, as a mean; 0 where there are none.
+  [[nodiscard]] double splat_mean(const std::vector<std::int64_t>& splats, std::size_t i) const;
 
   PixelWindow window_;
   double quantum_;
   int bands_;
-  std::vector<std::int64_t> sums_;                    ///< X, Y, Z per pixel
-  std::vector<std::int64_t> band_sums_;               ///< per pixel, per band
+  std::vector<std::int64_t> sums_;                 ///< X, Y, Z per pixel
+  std::vector<std::int64_t> band_sums_;            ///< per pixel, per band
+  std::vector<std::int64_t> splats_, band_splats_; ///< as sums_, band_sums_; empty until asked for
+  double light_passes_ = 0.0;
+  Refused refused_splats_;
   std::vector<std::uint32_t> counts_;                 ///< samples per pixel
   std::vector<std::uint32_t> covered_;                ///< samples that met a surface
   std::vector<std::array<std::uint32_t, 3>> refused_; ///< per pixel, so that threads do not share

@@ -1,5 +1,6 @@
 #include "core/plan.h"
 
+#include "core/lights/emission.h"
 #include "core/plan_drops.h"
 #include "core/plan_extent.h"
 #include "core/plan_lines.h"
@@ -171,6 +172,39 @@ void find_live_bands(Plan& plan) {
                                    plan.settings.skip ? ": left out" : ": carried, as asked"));
 }
 
+/// Which lamps light paths begin at, if any.
+void plan_caustics(const Scene& scene, Plan& plan) {
+  const RenderSettings& settings = plan.settings;
+  if (settings.integrator != Integrator::path || settings.caustics == Caustics::off) return;
+  const std::size_t specular = specular_targets(scene, plan).size();
+  if (specular == 0) {
+    plan.notes.push_back("nothing mirrors or refracts: no light-side passes");
+    return;
+  }
+  for (const Light& light : scene.lights) {
+    if (!endless_flux(light)) continue;
+    if (settings.caustics == Caustics::on)
+      throw std::invalid_argument(fmt::format(
+          "the light {} has no flux that could be followed: it does not fall off with distance. "
+          "Give it falloff square, or leave caustics on out",
+          light.name.empty() ? "of a colour" : light.name));
+    plan.notes.push_back(fmt::format("the light {} does not fall off with distance, so it has no "
+                                     "flux: no caustics of it",
+                                     light.name.empty() ? "of a colour" : light.name));
+  }
+  const std::size_t emitters = Emission(scene, plan).emitters().size();
+  plan.caustics = emitters > 0;
+  // Light that comes through glass is counted where it is bent to.
+  if (plan.caustics && plan.settings.shadows == ShadowRule::attenuated)
+    plan.settings.shadows = ShadowRule::opaque;
+  plan.notes.push_back(emitters > 0
+                           ? fmt::format("light-side passes: {} of the lamps shine on things that "
+                                         "mirror or refract",
+                                         emitters)
+                           : "no lamp shines on anything that mirrors or refracts: no light-side "
+                             "passes");
+}
+
 void note_content(const Scene& scene, Plan& plan) {
   const auto count = [](std::size_t n, const char* one, const char* many) {
     return fmt::format("{} {}", n, n == 1 ? one : many);
@@ -247,6 +281,7 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
         fmt::format("the crop {},{},{},{} is not a part of the {} x {} image", plan.window.x0,
                     plan.window.y0, plan.window.x1, plan.window.y1, full.x1, full.y1));
   plan.tiles = make_tiles(scene, plan.window, settings);
+  plan_caustics(scene, plan);
   plan.quantum = film_quantum(scene, plan.grid, settings.observer);
   note_content(scene, plan);
   return plan;

@@ -34,6 +34,8 @@ struct MaterialPlan {
   bool clear = false;       ///< lets everything through and adds nothing
   int emission_source = -1; ///< index into Plan::sources; negative: emits nothing
 
+  /// True when some light goes on along the one reflected or refracted ray.
+  [[nodiscard]] bool specular_part() const { return reflects || transmits; }
   /// True when a ray that meets the surface sees light that it gives off.
   [[nodiscard]] bool emits(const Hit& hit) const {
     return emission_source >= 0 && (hit.entering || emits_behind);
@@ -88,6 +90,8 @@ struct Plan {
   PixelWindow window; ///< what is rendered
   std::vector<Tile> tiles;
   double quantum = 1.0; ///< of the film's sums
+
+  bool caustics = false; ///< light-side passes have something to do
 
   std::vector<std::string> notes; ///< what was found and what is left out, for people
 

@@ -7,8 +7,8 @@
 
 namespace abbe {
 
-/// `spread`: set off from a surface that spreads light, by a density.
-enum class RayKind : std::uint8_t { camera, reflected, refracted, spread, shadow };
+/// `spread`: set off from a surface that spreads light, by a density. `light`: from a lamp.
+enum class RayKind : std::uint8_t { camera, reflected, refracted, spread, shadow, light };
 
 /// The rays of a rendering in the order in which they were traced, for measurements. It grows by
 /// some 150 bytes a ray and is no place for two threads at once.

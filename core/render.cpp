@@ -3,6 +3,7 @@
 #include "core/camera.h"
 #include "core/integrators/path.h"
 #include "core/integrators/whitted.h"
+#include "core/light_pass.h"
 #include "core/lights/lamps.h"
 #include "core/sampler.h"
 
@@ -42,9 +43,10 @@ private:
 
 std::unique_ptr<CameraIntegrator> make_integrator(const Scene& scene, const Plan& plan,
                                                   const World& world, const Lamps& lamps,
+                                                  const LightPasses* light_passes,
                                                   double pixel_angle) {
   if (plan.settings.integrator == Integrator::path)
-    return std::make_unique<Path>(plan, world, lamps, pixel_angle);
+    return std::make_unique<Path>(plan, world, lamps, light_passes, pixel_angle);
   return std::make_unique<Whitted>(scene, plan, world, pixel_angle);
 }
 
@@ -57,10 +59,11 @@ struct SampleRange {
 class TileRenderer {
 public:
   TileRenderer(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
-               const CameraRays& camera, const Nesting& camera_nesting, Film& film)
+               const LightPasses* light_passes, const CameraRays& camera,
+               const Nesting& camera_nesting, Film& film)
       : plan_(plan), world_(world), camera_(camera), camera_nesting_(camera_nesting), film_(film),
-        integrator_(make_integrator(scene, plan, world, lamps, camera.pixel_angle())), sums_(plan) {
-  }
+        integrator_(make_integrator(scene, plan, world, lamps, light_passes, camera.pixel_angle())),
+        sums_(plan) {}
 
   RayCounts render(const Tile& tile, SampleRange samples, RayRecord* record) {
     RayCounts counts;
@@ -134,6 +137,7 @@ public:
     told_ = now;
     callback_({static_cast<double>(done_) / static_cast<double>(steps_), now, rays_});
   }
+  void add(const RayCounts& rays) { rays_ += rays; }
   [[nodiscard]] double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
@@ -159,6 +163,7 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
       Film(plan.window, plan.quantum, keep_bands ? plan.grid.count() : 0), {}, 0, true};
   const CameraRays camera(scene.camera, settings.width, settings.height);
   const Lamps lamps(scene, plan);
+  LightPasses light_passes(scene, plan, world, camera, result.film);
   const Nesting camera_nesting = world.nesting_at(scene.camera.eye);
   const int passes = (settings.samples_per_pixel + kSamplesPerPass - 1) / kSamplesPerPass;
   ProgressMeter meter(progress, static_cast<std::size_t>(passes) * plan.tiles.size());
@@ -172,11 +177,14 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
     const SampleRange samples{pass * kSamplesPerPass,
                               std::min((pass + 1) * kSamplesPerPass, settings.samples_per_pixel)};
     arena.execute([&] {
+      if (light_passes.needed())
+        meter.add(light_passes.run(pass, samples.last - samples.first, stop, record));
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, plan.tiles.size(), 1),
                         [&](const tbb::blocked_range<std::size_t>& range) {
                           const DenormalsOff denormals_off;
-                          TileRenderer renderer(scene, plan, world, lamps, camera, camera_nesting,
-                                                result.film);
+                          TileRenderer renderer(scene, plan, world, lamps,
+                                                light_passes.needed() ? &light_passes : nullptr,
+                                                camera, camera_nesting, result.film);
                           for (std::size_t i = range.begin(); i < range.end() && !stop; ++i)
                             meter.step(renderer.render(plan.tiles[i], samples, record));
                         });

@@ -40,9 +40,11 @@ private:
 /// What the pairs of numbers of a camera sample are for.
 enum SamplePurpose : std::uint32_t {
   kPixelPosition = 0,
-  kWavelength = 1, ///< x: place inside the band, y: which band of a stratum is kept
-  kDropPlace = 2,  ///< x: where drops on the way are looked at, y: which lamp lights them
-  kDropLamp = 3,   ///< a point on it
+  kWavelength = 1,        ///< x: place inside the band, y: which band of a stratum is kept
+  kDropPlace = 2,         ///< x: where drops on the way are looked at, y: which lamp lights them
+  kDropLamp = 3,          ///< a point on it
+  kEmissionPoint = 4,     ///< where a light path begins on its lamp
+  kEmissionDirection = 5, ///< and where it goes
   // From here on purposes repeat for each surface along a path, `kPerSurface` apart.
   kScatter = 8,        ///< x: which part of the surface's scattering, y: whether the path goes on
   kDirection = 9,      ///< of a ray that is spread

@@ -21,6 +21,10 @@ enum class Integrator : std::uint8_t { whitted, path };
 /// behind glass themselves.
 enum class ShadowRule : std::uint8_t { none, opaque, attenuated, automatic };
 
+/// Whether light that reaches a surface by mirrors and glass is found from its lamps, with `path`.
+/// `automatic`: from all lamps that can send out light paths; `on`: an error where one cannot.
+enum class Caustics : std::uint8_t { automatic, on, off };
+
 /// The reconstruction filter, sampled in proportion to its value; `gaussian` has a standard
 /// deviation of half a pixel and ends at 1.5 pixels, `tent` ends at 1, `box` at half a pixel.
 enum class PixelFilter : std::uint8_t { box, tent, gaussian };
@@ -42,6 +46,10 @@ struct RenderSettings {
   double min_reflectivity = 0.0; ///< the thesis's: no reflected ray from surfaces below it
   double min_transparency = 0.0; ///< the thesis's: no refracted ray through surfaces below it
   ShadowRule shadows = ShadowRule::automatic;
+
+  Caustics caustics = Caustics::automatic;
+  double light_paths = 1.0;   ///< light paths per camera sample
+  double photon_radius = 0.0; ///< of the first pass, in scene units; 0: by the scene's size
 
   bool exact = false;             ///< every band its own ray: neither tolerance nor roulette
   bool jitter = true;             ///< wavelengths drawn inside the bands instead of their centres

@@ -9,11 +9,11 @@ namespace abbe {
 
 /// How many rays were traced, by kind.
 struct RayCounts {
-  std::uint64_t camera = 0, reflected = 0, refracted = 0, spread = 0, shadow = 0;
+  std::uint64_t camera = 0, reflected = 0, refracted = 0, spread = 0, shadow = 0, light = 0;
   RayRecord* record = nullptr; ///< keeps the rays themselves, where somebody wants to know them
 
   [[nodiscard]] std::uint64_t total() const {
-    return camera + reflected + refracted + spread + shadow;
+    return camera + reflected + refracted + spread + shadow + light;
   }
   [[nodiscard]] std::uint64_t& of(RayKind kind) {
     switch (kind) {
@@ -26,9 +26,11 @@ struct RayCounts {
     case RayKind::spread:
       return spread;
     case RayKind::shadow:
+      return shadow;
+    case RayKind::light:
       break;
     }
-    return shadow;
+    return light;
   }
   /// Counts rays that look for the nearest surface.
   void add(RayKind kind, std::span<const RayState> rays) {
@@ -49,6 +51,7 @@ struct RayCounts {
     refracted += other.refracted;
     spread += other.spread;
     shadow += other.shadow;
+    light += other.light;
     return *this;
   }
 };

@@ -109,7 +109,8 @@ void add_settings(CLI::App& app, SettingsOverride& s) {
          },
          "Render only pixels x0 <= x < x1, y0 <= y < y1, counted from the upper left corner")
       ->type_name("x0,y0,x1,y1");
-  add_choice<Integrator>(app, "--integrator", s.integrator, {{"whitted", Integrator::whitted}, {"path", Integrator::path}},
+  add_choice<Integrator>(app, "--integrator", s.integrator,
+                         {{"whitted", Integrator::whitted}, {"path", Integrator::path}},
                          "Model of light transport");
   app.add_option("--depth", s.max_depth,
                  "How often a path may be reflected or refracted (default 16)")
@@ -117,11 +118,21 @@ void add_settings(CLI::App& app, SettingsOverride& s) {
   app.add_option("--cutoff", s.min_throughput,
                  "Branches that carry less than this in every band are dropped (default 0.001)")
       ->check(number_from(0.0, 1.0));
-  add_choice<ShadowRule>(app, "--shadows", s.shadows,
-                         {{"none", ShadowRule::none},
-                          {"opaque", ShadowRule::opaque},
-                          {"attenuated", ShadowRule::attenuated}},
-                         "What glass does to shadow rays (default: attenuated with whitted, opaque with path)");
+  add_choice<ShadowRule>(
+      app, "--shadows", s.shadows,
+      {{"none", ShadowRule::none},
+       {"opaque", ShadowRule::opaque},
+       {"attenuated", ShadowRule::attenuated}},
+      "What glass does to shadow rays (default: attenuated with whitted, opaque with path)");
+  add_choice<Caustics>(
+      app, "--caustics", s.caustics,
+      {{"on", Caustics::on}, {"off", Caustics::off}, {"automatic", Caustics::automatic}},
+      "Light that comes by mirrors and glass, with path (default automatic)");
+  app.add_option("--light-paths", s.light_paths, "Light paths per camera sample (default 1)")
+      ->check(number_from(0.0, 1e6));
+  app.add_option("--photon-radius", s.photon_radius,
+                 "Of the first pass, in scene units; 0: by the scene's size (default)")
+      ->check(number_from(0.0, 1e30));
   add_choice<PixelFilter>(
       app, "--filter", s.filter,
       {{"box", PixelFilter::box}, {"tent", PixelFilter::tent}, {"gaussian", PixelFilter::gaussian}},
@@ -242,6 +253,9 @@ RenderSettings overridden(RenderSettings s, const SettingsOverride& given) {
   replace(s.integrator, given.integrator);
   replace(s.filter, given.filter);
   replace(s.shadows, given.shadows);
+  replace(s.caustics, given.caustics);
+  replace(s.light_paths, given.light_paths);
+  replace(s.photon_radius, given.photon_radius);
   replace(s.exact, given.exact);
   replace(s.jitter, given.jitter);
   replace(s.skip, given.skip);

@@ -16,10 +16,11 @@ struct SettingsOverride {
   std::optional<int> width, height, bands, samples_per_pixel, max_depth, max_fan, threads;
   std::optional<PixelWindow> crop;
   std::optional<std::uint64_t> seed;
-  std::optional<double> min_throughput, tolerance_pixels;
+  std::optional<double> min_throughput, tolerance_pixels, light_paths, photon_radius;
   std::optional<Integrator> integrator;
   std::optional<PixelFilter> filter;
   std::optional<ShadowRule> shadows;
+  std::optional<Caustics> caustics;
   std::optional<Observer> observer;
   std::optional<bool> exact, jitter, skip;
   std::optional<Tracing> tracing;

@@ -59,13 +59,14 @@ void Progress::finish() {
 std::string summary(const Rendering& rendering) {
   const RayCounts& rays = rendering.rays;
   const Film::Refused refused = rendering.film.refused();
-  return fmt::format(
-      "rays: {} camera, {} reflected, {} refracted, {} shadow; {} in {:.2f} s, {:.2f} Mray/s\n"
-      "refused samples: {} not finite, {} negative, {} overflow\n"
-      "peak memory: {:.0f} MiB",
-      rays.camera, rays.reflected, rays.refracted, rays.shadow, rays.total(), rendering.seconds,
-      million_per_second(rays.total(), rendering.seconds), refused.not_finite, refused.negative,
-      refused.overflow, peak_memory_mib());
+  return fmt::format("rays: {} camera, {} reflected, {} refracted, {} spread, {} shadow, {} light; "
+                     "{} in {:.2f} s, {:.2f} Mray/s\n"
+                     "refused samples: {} not finite, {} negative, {} overflow\n"
+                     "peak memory: {:.0f} MiB",
+                     rays.camera, rays.reflected, rays.refracted, rays.spread, rays.shadow,
+                     rays.light, rays.total(), rendering.seconds,
+                     million_per_second(rays.total(), rendering.seconds), refused.not_finite,
+                     refused.negative, refused.overflow, peak_memory_mib());
 }
 
 } // namespace abbe

@@ -35,8 +35,8 @@ const std::vector<SceneKeyword>& all_keywords() {
     std::vector<SceneKeyword> rows;
     for (const auto& table :
          {setting_keywords(), display_keywords(), camera_keywords(), transform_keywords(),
-          material_keywords(), drop_keywords(), light_keywords(), shape_keywords(), lens_keywords(),
-          boolean_keywords(), macro_keywords()})
+          material_keywords(), drop_keywords(), light_keywords(), light_path_keywords(),
+          shape_keywords(), lens_keywords(), boolean_keywords(), macro_keywords()})
       rows.insert(rows.end(), table.begin(), table.end());
     return rows;
   }();

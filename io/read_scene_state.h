@@ -92,6 +92,7 @@ struct SceneKeyword {
 [[nodiscard]] std::span<const SceneKeyword> material_keywords();
 [[nodiscard]] std::span<const SceneKeyword> drop_keywords();
 [[nodiscard]] std::span<const SceneKeyword> light_keywords();
+[[nodiscard]] std::span<const SceneKeyword> light_path_keywords();
 [[nodiscard]] std::span<const SceneKeyword> shape_keywords();
 [[nodiscard]] std::span<const SceneKeyword> lens_keywords();
 [[nodiscard]] std::span<const SceneKeyword> boolean_keywords();

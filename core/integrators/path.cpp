@@ -1,56 +1,30 @@
 #include "core/integrators/path.h"
 
-#include "core/materials/fresnel.h"
-
 #include <algorithm>
-#include <cmath>
 
 namespace abbe {
-namespace {
 
-/// Paths are ended at random from this many surfaces on; before, nearly all carry much.
-constexpr int kSureSurfaces = 3;
-
-} // namespace
-
-Path::Path(const Plan& plan, const World& world, const Lamps& lamps, double pixel_angle)
-    : plan_(plan), world_(world), lamps_(lamps), wavelengths_(plan), fan_(plan, world, pixel_angle),
-      shadow_rays_(plan, world), single_scatter_(lamps, plan, world), scattering_(plan),
-      ones_(1.0f, plan.grid.count()), throughput_(plan.stride), light_(plan.stride) {}
-
-dvec2 Path::numbers(SamplePurpose purpose) const {
-  return sampler_->pair(purpose + kPerSurface * static_cast<std::uint32_t>(bundle_.depth));
-}
-
-void Path::push(const Bundle& bundle, float weight) {
-  waiting_.push_back(bundle);
-  if (throughputs_.size() < waiting_.size() * plan_.stride)
-    throughputs_.resize(waiting_.size() * plan_.stride);
-  float* target = row(waiting_.size() - 1);
-  for (int b = bundle.first; b < bundle.last; ++b)
-    target[b] = throughput_[static_cast<std::size_t>(b)] * weight;
-}
+Path::Path(const Plan& plan, const World& world, const Lamps& lamps,
+           const LightPasses* light_passes, double pixel_angle)
+    : BundleWalk(plan, world, pixel_angle, Transport::radiance), lamps_(lamps),
+      photons_(light_passes ? &light_passes->map() : nullptr),
+      emission_(light_passes ? &light_passes->emission() : nullptr), shadow_rays_(plan, world),
+      single_scatter_(lamps, plan, world), light_(plan.stride) {}
 
 void Path::trace(const RayState& camera_ray, const std::optional<Hit>& hit, const Sampler& sampler,
                  RadianceSums& sums, RayCounts& counts) {
-  sampler_ = &sampler;
-  sums_ = &sums;
-  counts_ = &counts;
+  begin(sampler, counts);
   single_scatter_.begin_path(sampler);
-  const dvec2 u = sampler.pair(kWavelength);
-  wavelengths_.begin_path(plan_.settings.jitter ? u.x : 0.5);
-  band_choice_ = u.y;
+  sums_ = &sums;
   bundle_ = Bundle{};
   bundle_.first = plan_.first_band;
   bundle_.last = plan_.last_band;
   bundle_.state = camera_ray;
   bundle_.hit = hit;
   std::copy(plan_.live.begin(), plan_.live.end(), throughput_.begin());
-  follow();
-  while (!waiting_.empty()) {
-    resume();
+  do
     follow();
-  }
+  while (resume());
 }
 
 void Path::follow() {
@@ -68,7 +42,7 @@ void Path::gather() {
   }
   const Hit& hit = *bundle_.hit;
   const MaterialPlan& material = plan_.materials[hit.material.index()];
-  if (!material.emits(hit)) return;
+  if (!material.emits(hit) || found_otherwise(hit)) return;
   double weight = 1.0;
   if (bundle_.density > 0.0) {
     const dvec3 spread_at = bundle_.state.ray.at(-bundle_.passed);
@@ -78,11 +52,25 @@ void Path::gather() {
              last);
 }
 
+/// True for light that goes from a lamp by mirrors and glass to a surface that spreads it, where
+/// light paths find it, or shadow rays that pass through glass count it in their way.
+bool Path::found_otherwise(const Hit& emitting) const {
+  const bool by_specular_surfaces = bundle_.spread && bundle_.density == 0.0;
+  if (!by_specular_surfaces) return false;
+  return emission_ ? emission_->emits(emitting.shape)
+                   : plan_.settings.shadows == ShadowRule::attenuated;
+}
+
 bool Path::go_on() {
-  const MaterialPlan& material = plan_.materials[bundle_.hit->material.index()];
-  scattering_.prepare(material, *bundle_.hit, bundle_.state.ray.direction, bundle_.first,
-                      bundle_.last, throughput_.data(), wavelengths_);
-  if (scattering_.spreads() && !lamps_.empty()) aim_at_a_lamp(*bundle_.hit);
+  const Hit& hit = *bundle_.hit;
+  const MaterialPlan& material = plan_.materials[hit.material.index()];
+  scattering_.prepare(material, hit, bundle_.state.ray.direction, bundle_.first, bundle_.last,
+                      throughput_.data(), wavelengths_);
+  if (scattering_.spreads()) {
+    if (!lamps_.empty()) aim_at_a_lamp(hit);
+    // What the camera sees directly gets its caustics by splats.
+    if (photons_ && (bundle_.depth > 0 || !photons_->splatted())) look_up_photons(hit);
+  }
   const Scattering::Choice choice =
       scattering_.choose(scattering_.certain() ? 0.0 : numbers(kScatter).x);
   switch (choice.kind) {
@@ -93,9 +81,12 @@ bool Path::go_on() {
   case ScatterKind::refract:
     return refract(choice.chance);
   case ScatterKind::spread:
-    return spread();
+    break;
   }
-  return false;
+  const auto direction = scattering_.sample(numbers(kDirection));
+  if (!direction) return false;
+  const double density = scattering_.evaluate(*direction, light_.data());
+  return density > 0.0 && spread(*direction, light_.data(), density);
 }
 
 void Path::aim_at_a_lamp(const Hit& hit) {
@@ -105,7 +96,11 @@ void Path::aim_at_a_lamp(const Hit& hit) {
   const int first = bundle_.first, last = bundle_.last;
   const double density = scattering_.evaluate(lamp->direction, light_.data());
   if (!(density > 0.0)) return;
-  const RayState towards_lamp{{hit.point, lamp->direction}, hit.same_side, hit.nesting_before};
+  const bool outwards = glm::dot(lamp->direction, hit.normal) > 0.0;
+  const bool through = outwards != hit.entering;
+  const RayState towards_lamp{{hit.point, lamp->direction},
+                              through ? hit.other_side : hit.same_side,
+                              through ? hit.nesting_after : hit.nesting_before};
   const float* arriving =
       shadow_rays_.transmittance(towards_lamp, lamp->distance, first, last, wavelengths_, *counts_);
   if (!arriving) return;
@@ -116,100 +111,19 @@ void Path::aim_at_a_lamp(const Hit& hit) {
   sums_->add(lamp->source, light_.data(), ones_, static_cast<float>(weight), first, last);
 }
 
-/// Multiplies the throughput by factors and a weight.
-void Path::scale(const float* factors, double weight) {
-  const auto w = static_cast<float>(weight);
-  for (int b = bundle_.first; b < bundle_.last; ++b)
-    throughput_[static_cast<std::size_t>(b)] *= factors[b] * w;
-}
-
-/// Russian roulette on what the bundle would bring behind its hit: the largest throughput of its
-/// bands, times n^2 of the medium there, since radiance is n^2 times that outside.
-bool Path::survives(MediumId medium) {
-  const int first = bundle_.first, last = bundle_.last;
-  float most = 0.0f;
-  for (int b = first; b < last; ++b)
-    most = std::max(most, throughput_[static_cast<std::size_t>(b)]);
-  if (!(most > 0.0f)) return false;
-  const double n = wavelengths_.indices(medium)[first];
-  importance_ = static_cast<double>(most) * n * n;
-  if (bundle_.depth < kSureSurfaces || importance_ >= 1.0) return true;
-  if (numbers(kScatter).y >= importance_) return false;
-  scale(ones_.data(), 1.0 / importance_);
-  importance_ = 1.0;
-  return true;
-}
-
-/// Sets off along a direction on the side that the ray came from, and traces.
-bool Path::leave(const dvec3& direction, RayKind kind) {
-  Hit& hit = *bundle_.hit;
-  if (!survives(hit.medium_before)) return false;
-  bundle_.state.ray = {hit.point, direction};
-  bundle_.state.contacts = hit.same_side;
-  bundle_.state.nesting = hit.nesting_before;
-  bundle_.position_spread += bundle_.direction_spread * hit.t;
-  bundle_.path_length += hit.t;
-  bundle_.passed = 0.0;
-  ++bundle_.depth;
-  bundle_.hit = world_.closest(bundle_.state);
-  counts_->add(kind, bundle_.state);
-  return true;
-}
-
-bool Path::reflect(double chance) {
-  const Hit& hit = *bundle_.hit;
-  scale(scattering_.reflected(), 1.0 / chance);
-  bundle_.density = 0.0;
-  return leave(reflected(bundle_.state.ray.direction, hit.entering ? hit.normal : -hit.normal),
-               RayKind::reflected);
-}
-
-bool Path::spread() {
-  const auto direction = scattering_.sample(numbers(kDirection));
-  if (!direction) return false;
-  const double density = scattering_.evaluate(*direction, light_.data());
-  if (!(density > 0.0)) return false;
-  scale(light_.data(), 1.0 / density);
-  bundle_.density = density;
-  bundle_.spread = true;
-  bundle_.position_spread = bundle_.direction_spread = 0.0;
-  return leave(*direction, RayKind::spread);
-}
-
-/// The fan's sub-bundles wait for their turns; the last goes on at once.
-bool Path::refract(double chance) {
-  scale(scattering_.transmitted(), 1.0 / chance);
-  bundle_.density = 0.0;
-  if (!survives(bundle_.hit->medium_after)) return false;
-  // Bands under total reflection, and those without power, have no refracted ray. What remains is
-  // one run of bands as a rule, and more where n(lambda) turns.
-  const auto passes = [&](int b) { return throughput_[static_cast<std::size_t>(b)] > 0.0f; };
-  const std::size_t before = waiting_.size();
-  const Bundle incoming = bundle_;
-  for (int first = incoming.first; first < incoming.last;) {
-    if (!passes(first)) {
-      ++first;
-      continue;
-    }
-    int last = first + 1;
-    while (last < incoming.last && passes(last))
-      ++last;
-    const auto& cells =
-        fan_.refract(incoming, first, last, importance_, wavelengths_, band_choice_, *counts_);
-    for (const FanCell& cell : cells)
-      push(cell.bundle, cell.weight);
-    first = last;
-  }
-  return waiting_.size() > before && resume();
-}
-
-/// Takes up the bundle that was pushed last.
-bool Path::resume() {
-  bundle_ = waiting_.back();
-  const float* stored = row(waiting_.size() - 1);
-  std::copy(stored + bundle_.first, stored + bundle_.last, throughput_.begin() + bundle_.first);
-  waiting_.pop_back();
-  return true;
+void Path::look_up_photons(const Hit& hit) {
+  photons_->for_each_near(hit, [&](const Photon& photon, const float* flux) {
+    const int first = std::max(bundle_.first, photon.first);
+    const int last = std::min(bundle_.last, photon.last);
+    if (first >= last) return;
+    const double cosine = std::abs(glm::dot(photon.direction, hit.normal));
+    if (!(scattering_.evaluate(-photon.direction, light_.data()) > 0.0)) return;
+    for (int b = first; b < last; ++b)
+      light_[static_cast<std::size_t>(b)] *=
+          throughput_[static_cast<std::size_t>(b)] * flux[b - photon.first];
+    sums_->add(photon.source, light_.data(), ones_,
+               static_cast<float>(photons_->density_factor() / cosine), first, last);
+  });
 }
 
 } // namespace abbe

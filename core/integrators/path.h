@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/fan.h"
+#include "core/integrators/bundle_walk.h"
 #include "core/integrators/integrator.h"
 #include "core/integrators/shadow.h"
 #include "core/integrators/single_scatter.h"
+#include "core/light_pass.h"
 #include "core/lights/lamps.h"
-#include "core/materials/scattering.h"
 
 #include <vector>
 
@@ -15,57 +15,36 @@ namespace abbe {
 /// bands: one way on from each surface, lamps aimed at wherever light is spread, both ways of
 /// reaching a lamp weighed against each other [Veach97], and paths that carry little ended at
 /// random. Unbiased at a fixed number of samples.
-class Path final : public CameraIntegrator {
+///
+/// With light-side passes, light that reaches a spreading surface through glass or by mirrors comes
+/// from the photon map, and camera paths leave it out; see docs/decisions/caustics.md.
+class Path final : public CameraIntegrator, private BundleWalk {
 public:
-  /// Keeps references to all.
-  Path(const Plan& plan, const World& world, const Lamps& lamps, double pixel_angle);
+  /// Keeps references to all. `light_passes` is null where there are none.
+  Path(const Plan& plan, const World& world, const Lamps& lamps, const LightPasses* light_passes,
+       double pixel_angle);
 
   void trace(const RayState& camera_ray, const std::optional<Hit>& hit, const Sampler& sampler,
              RadianceSums& sums, RayCounts& counts) override;
 
 private:
-  /// A sub-bundle that waits for its turn; its throughput is the row of the same number.
-  void push(const Bundle& bundle, float weight);
-  [[nodiscard]] float* row(std::size_t i) { return throughputs_.data() + i * plan_.stride; }
-
-  /// Follows the current bundle to its end; sub-bundles that part from it are pushed.
+  /// Follows the current bundle to its end; sub-bundles that part from it wait.
   void follow();
   /// Adds what the bundle sees by itself: the background, or light that a surface emits.
   void gather();
-  void aim_at_a_lamp(const Hit& hit);
   /// Makes the bundle go on from its hit. False where it ends.
   bool go_on();
-  bool reflect(double chance);
-  bool refract(double chance);
-  bool spread();
-  bool leave(const dvec3& direction, RayKind kind);
-  bool resume();
-  bool survives(MediumId medium);
-  void scale(const float* factors, double weight);
-  [[nodiscard]] dvec2 numbers(SamplePurpose purpose) const;
+  void aim_at_a_lamp(const Hit& hit);
+  void look_up_photons(const Hit& hit);
+  [[nodiscard]] bool found_otherwise(const Hit& emitting) const;
 
-  const Plan& plan_;
-  const World& world_;
   const Lamps& lamps_;
-  PathWavelengths wavelengths_;
-  Fan fan_;
+  const PhotonMap* photons_;
+  const Emission* emission_;
   ShadowRays shadow_rays_;
   SingleScatter single_scatter_;
-  Scattering scattering_;
-  BandTable ones_;
-
-  // Of the sample being followed.
-  const Sampler* sampler_ = nullptr;
   RadianceSums* sums_ = nullptr;
-  RayCounts* counts_ = nullptr;
-  double band_choice_ = 0.0;
-  double importance_ = 1.0; ///< of the current bundle behind its last hit
-
-  Bundle bundle_;                 ///< being followed
-  std::vector<float> throughput_; ///< of it
-  std::vector<float> light_;      ///< scratch: what one source gives
-  std::vector<Bundle> waiting_;
-  std::vector<float> throughputs_; ///< rows of Plan::stride values, one per waiting bundle
+  std::vector<float> light_; ///< scratch: what one source gives
 };
 
 } // namespace abbe

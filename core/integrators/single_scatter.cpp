@@ -1,6 +1,7 @@
 #include "core/integrators/single_scatter.h"
 
 #include "core/integrators/absorption.h"
+#include "core/integrators/unseen_boundary.h"
 #include "core/lights/illumination.h"
 
 #include <glm/geometric.hpp>
@@ -34,15 +35,7 @@ void SingleScatter::arrive(Bundle& bundle, float* throughput, PathWavelengths& w
     if (medium.drops) add(bundle, way, medium, throughput, wavelengths, sums, counts);
     absorb(medium, way, bundle.first, bundle.last, throughput);
     if (!bundle.hit || !plan_.unseen(*bundle.hit)) return;
-    const Hit& hit = *bundle.hit;
-    bundle.state.ray.origin = hit.point;
-    bundle.state.contacts = hit.other_side;
-    bundle.state.nesting = hit.nesting_after;
-    bundle.passed += way;
-    bundle.path_length += way;
-    bundle.position_spread += bundle.direction_spread * way;
-    bundle.hit = world_.closest(bundle.state);
-    counts.add(RayKind::refracted, bundle.state);
+    pass_unseen_boundary(bundle, world_, counts);
   }
 }
 

@@ -29,17 +29,19 @@ Illumination seen(const DirectionalLight& lamp, Falloff, const dvec3&) {
 
 Illumination seen(const SpotLight& lamp, Falloff falloff, const dvec3& point) {
   Illumination light = from_position(lamp.position, falloff, point);
-  const double angle = std::acos(std::clamp(-glm::dot(light.direction, lamp.axis), -1.0, 1.0));
-  if (angle >= lamp.half_angle) {
-    light.strength = 0.0;
-  } else if (angle > lamp.full_angle) {
-    const double x = (lamp.half_angle - angle) / (lamp.half_angle - lamp.full_angle);
-    light.strength *= x * x * (3.0 - 2.0 * x); // the smooth step
-  }
+  light.strength *= brightness_towards(lamp, -light.direction);
   return light;
 }
 
 } // namespace
+
+double brightness_towards(const SpotLight& spot, const dvec3& direction) {
+  const double angle = std::acos(std::clamp(glm::dot(direction, spot.axis), -1.0, 1.0));
+  if (angle >= spot.half_angle) return 0.0;
+  if (angle <= spot.full_angle) return 1.0;
+  const double x = (spot.half_angle - angle) / (spot.half_angle - spot.full_angle);
+  return x * x * (3.0 - 2.0 * x); // the smooth step
+}
 
 Illumination illumination(const Light& light, const dvec3& point) {
   return std::visit([&](const auto& lamp) { return seen(lamp, light.falloff, point); },

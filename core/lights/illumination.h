@@ -13,6 +13,9 @@ struct Illumination {
   double strength = 0.0;
 };
 
+/// The part, 0 to 1, of a spotlight's full brightness that goes along a unit direction.
+[[nodiscard]] double brightness_towards(const SpotLight& spot, const dvec3& direction);
+
 [[nodiscard]] Illumination illumination(const Light& light, const dvec3& point);
 
 } // namespace abbe

@@ -20,14 +20,15 @@ struct Parts {
   float reflected, transmitted;
 };
 
-Parts parts(bool by_fresnel, double cos_i, double eta) {
+Parts parts(bool by_fresnel, double cos_i, double eta, Transport transport) {
   const double cos2_t = 1.0 - (1.0 - cos_i * cos_i) / (eta * eta);
   const bool passes = cos2_t > 0.0;
   const double cos_t = std::sqrt(std::max(cos2_t, 0.0));
   const double fresnel = passes ? fresnel_reflectance(cos_i, cos_t, eta) : 1.0;
   const double reflect = by_fresnel ? fresnel : 1.0;
   const double transmit = by_fresnel ? 1.0 - fresnel : (passes ? 1.0 : 0.0);
-  return {static_cast<float>(reflect), static_cast<float>(transmit / (eta * eta))};
+  return {static_cast<float>(reflect),
+          static_cast<float>(transport == Transport::radiance ? transmit / (eta * eta) : transmit)};
 }
 
 float passed_straight(bool by_fresnel, double cos_i, double eta) {
@@ -38,13 +39,14 @@ float passed_straight(bool by_fresnel, double cos_i, double eta) {
 } // namespace
 
 void scatter_dielectric(const MaterialPlan& material, double cos_i, const double* n_before,
-                        const double* n_after, int first, int last, DielectricScatter& scatter) {
+                        const double* n_after, int first, int last, DielectricScatter& scatter,
+                        Transport transport) {
   const float* reflectivity = material.reflectivity.data();
   const float* transparency = material.transparency.data();
   float* reflected = scatter.reflected.data();
   float* transmitted = scatter.transmitted.data();
   if (alike(n_before, first, last) && alike(n_after, first, last)) {
-    const Parts p = parts(material.fresnel, cos_i, n_after[first] / n_before[first]);
+    const Parts p = parts(material.fresnel, cos_i, n_after[first] / n_before[first], transport);
     for (int b = first; b < last; ++b) {
       reflected[b] = p.reflected * reflectivity[b];
       transmitted[b] = p.transmitted * transparency[b];
@@ -52,7 +54,7 @@ void scatter_dielectric(const MaterialPlan& material, double cos_i, const double
     return;
   }
   for (int b = first; b < last; ++b) {
-    const Parts p = parts(material.fresnel, cos_i, n_after[b] / n_before[b]);
+    const Parts p = parts(material.fresnel, cos_i, n_after[b] / n_before[b], transport);
     reflected[b] = p.reflected * reflectivity[b];
     transmitted[b] = p.transmitted * transparency[b];
   }

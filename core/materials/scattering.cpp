@@ -33,7 +33,7 @@ dvec3 cosine_direction(const dvec2& u) {
 
 } // namespace
 
-Scattering::Scattering(const Plan& plan) : plan_(plan) {
+Scattering::Scattering(const Plan& plan, Transport transport) : plan_(plan), transport_(transport) {
   factors_.reflected.resize(plan.stride);
   factors_.transmitted.resize(plan.stride);
 }
@@ -72,10 +72,11 @@ void Scattering::find_smooth_parts(const float* throughput, PathWavelengths& wav
   if (material.dielectric) {
     const double* before = wavelengths.indices(hit_->medium_before);
     const double* after = wavelengths.indices(hit_->medium_after);
-    scatter_dielectric(material, cos_i, before, after, first_, last_, factors_);
+    scatter_dielectric(material, cos_i, before, after, first_, last_, factors_, transport_);
     // Radiance in a dense medium is n^2 times that outside and will lose this again: what counts
     // is the flux.
-    const double eta = after[first_] / before[first_];
+    const int b = std::max(first_, plan_.live_first); // whether or not dead bands are carried
+    const double eta = transport_ == Transport::radiance ? after[b] / before[b] : 1.0;
     if (material.transmits)
       refract_ = eta * eta * brought(throughput, factors_.transmitted.data(), first_, last_);
   } else if (material.conductor) {
@@ -95,6 +96,14 @@ Scattering::Choice Scattering::choose(double u) const {
   if (reflect_ > 0.0) return {ScatterKind::reflect, reflect_}; // u was rounded past the sum
   if (spread_ > 0.0) return {ScatterKind::spread, spread_};
   return {};
+}
+
+Scattering::Choice Scattering::choose_specular(double u) const {
+  const double sum = reflect_ + refract_;
+  if (!(sum > 0.0)) return {};
+  const double share = reflect_ / sum;
+  if (refract_ == 0.0 || u < share) return {ScatterKind::reflect, share};
+  return {ScatterKind::refract, refract_ / sum};
 }
 
 /// Of Blinn's half vector: (e + 1) / (2 pi) cos^e about z, over four times the cosine between the

@@ -22,7 +22,7 @@ enum class ScatterKind : std::uint8_t { none, reflect, refract, spread };
 /// band, and the part that spreads light as a function of direction.
 class Scattering {
 public:
-  explicit Scattering(const Plan& plan);
+  Scattering(const Plan& plan, Transport transport);
 
   /// Prepares for bands [first, last) of a ray along `direction` that meets `hit`. The parts are
   /// chosen in proportion to what they would bring of `throughput`, summed over the bands.
@@ -43,6 +43,8 @@ public:
     double chance = 1.0;
   };
   [[nodiscard]] Choice choose(double u) const;
+  /// The same among the reflected and the refracted ray alone.
+  [[nodiscard]] Choice choose_specular(double u) const;
 
   /// Factors on radiance that comes along the reflected and the refracted ray.
   [[nodiscard]] const float* reflected() const { return factors_.reflected.data(); }
@@ -63,6 +65,7 @@ private:
   [[nodiscard]] double phong_density(const dvec3& local) const;
 
   const Plan& plan_;
+  Transport transport_;
   const MaterialPlan* material_ = nullptr;
   const Hit* hit_ = nullptr;
   int first_ = 0, last_ = 0;

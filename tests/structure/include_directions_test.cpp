@@ -37,6 +37,7 @@ constexpr Permission kPermissions[] = {
     {"core/", "spectral/"},
     {"core/", "glm/"},
     {"core/", "fmt/"},
+    {"core/light_pass.cpp", "tbb/"},
     {"core/render.cpp", "tbb/"},
     {"core/render.cpp", "immintrin.h"}, // flushes denormal numbers
     {"io/", "io/"},

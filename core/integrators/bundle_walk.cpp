@@ -1,0 +1,140 @@
+#include "core/integrators/bundle_walk.h"
+
+#include "core/materials/fresnel.h"
+
+#include <algorithm>
+
+namespace abbe {
+namespace {
+
+/// Paths are ended at random from this many surfaces on; before, nearly all carry much.
+constexpr int kSureSurfaces = 3;
+
+} // namespace
+
+BundleWalk::BundleWalk(const Plan& plan, const World& world, double pixel_angle,
+                       Transport transport)
+    : plan_(plan), world_(world), wavelengths_(plan), fan_(plan, world, pixel_angle),
+      scattering_(plan, transport), ones_(1.0f, plan.grid.count()), throughput_(plan.stride),
+      transport_(transport) {}
+
+void BundleWalk::begin(const Sampler& sampler, RayCounts& counts) {
+  sampler_ = &sampler;
+  counts_ = &counts;
+  const dvec2 u = sampler.pair(kWavelength);
+  wavelengths_.begin_path(plan_.settings.jitter ? u.x : 0.5);
+  band_choice_ = u.y;
+  importance_ = 1.0;
+}
+
+dvec2 BundleWalk::numbers(SamplePurpose purpose) const {
+  return sampler_->pair(purpose + kPerSurface * static_cast<std::uint32_t>(bundle_.depth));
+}
+
+void BundleWalk::push(const Bundle& bundle, float weight) {
+  waiting_.push_back(bundle);
+  if (throughputs_.size() < waiting_.size() * plan_.stride)
+    throughputs_.resize(waiting_.size() * plan_.stride);
+  float* target = throughputs_.data() + (waiting_.size() - 1) * plan_.stride;
+  for (int b = bundle.first; b < bundle.last; ++b)
+    target[b] = throughput_[static_cast<std::size_t>(b)] * weight;
+}
+
+bool BundleWalk::resume() {
+  if (waiting_.empty()) return false;
+  bundle_ = waiting_.back();
+  const float* stored = throughputs_.data() + (waiting_.size() - 1) * plan_.stride;
+  std::copy(stored + bundle_.first, stored + bundle_.last, throughput_.begin() + bundle_.first);
+  waiting_.pop_back();
+  return true;
+}
+
+void BundleWalk::scale(const float* factors, double weight) {
+  const auto w = static_cast<float>(weight);
+  for (int b = bundle_.first; b < bundle_.last; ++b)
+    throughput_[static_cast<std::size_t>(b)] *= factors[b] * w;
+}
+
+/// Russian roulette on what the bundle would bring behind its hit: the largest throughput of its
+/// bands. Radiance, but not flux, is n^2 times that outside in a medium of index n.
+bool BundleWalk::survives(MediumId medium) {
+  const int first = bundle_.first, last = bundle_.last;
+  float most = 0.0f;
+  for (int b = first; b < last; ++b)
+    most = std::max(most, throughput_[static_cast<std::size_t>(b)]);
+  if (!(most > 0.0f)) return false;
+  importance_ = static_cast<double>(most);
+  if (transport_ == Transport::radiance && medium.valid()) {
+    const double n = wavelengths_.indices(medium)[std::max(first, plan_.live_first)];
+    importance_ *= n * n;
+  }
+  if (bundle_.depth < kSureSurfaces || importance_ >= 1.0) return true;
+  if (numbers(kScatter).y >= importance_) return false;
+  scale(ones_.data(), 1.0 / importance_);
+  importance_ = 1.0;
+  return true;
+}
+
+/// Sets off along a direction and traces. `through`: to the other side of the surface.
+bool BundleWalk::leave(const dvec3& direction, bool through, RayKind kind) {
+  const Hit& hit = *bundle_.hit;
+  if (!survives(through ? hit.medium_after : hit.medium_before)) return false;
+  bundle_.state.ray = {hit.point, direction};
+  bundle_.state.contacts = through ? hit.other_side : hit.same_side;
+  bundle_.state.nesting = through ? hit.nesting_after : hit.nesting_before;
+  bundle_.position_spread += bundle_.direction_spread * hit.t;
+  bundle_.path_length += hit.t;
+  bundle_.passed = 0.0;
+  ++bundle_.depth;
+  bundle_.hit = world_.closest(bundle_.state);
+  counts_->add(kind, bundle_.state);
+  return true;
+}
+
+bool BundleWalk::reflect(double chance) {
+  const Hit& hit = *bundle_.hit;
+  scale(scattering_.reflected(), 1.0 / chance);
+  bundle_.density = 0.0;
+  return leave(reflected(bundle_.state.ray.direction, hit.entering ? hit.normal : -hit.normal),
+               false, RayKind::reflected);
+}
+
+bool BundleWalk::spread(const dvec3& direction, const float* f_cos, double density) {
+  const Hit& hit = *bundle_.hit;
+  scale(f_cos, 1.0 / density);
+  bundle_.density = density;
+  bundle_.spread = true;
+  bundle_.position_spread = bundle_.direction_spread = 0.0;
+  const bool outwards = glm::dot(direction, hit.normal) > 0.0;
+  return leave(direction, outwards != hit.entering, RayKind::spread);
+}
+
+/// The fan's sub-bundles wait for their turns; the last goes on at once.
+bool BundleWalk::refract(double chance) {
+  scale(scattering_.transmitted(), 1.0 / chance);
+  bundle_.density = 0.0;
+  if (!survives(bundle_.hit->medium_after)) return false;
+  // Bands under total reflection, and those without power, have no refracted ray. What remains is
+  // one run of bands as a rule, and more where n(lambda) turns.
+  const auto passes = [&](int b) { return throughput_[static_cast<std::size_t>(b)] > 0.0f; };
+  const Bundle incoming = bundle_;
+  bool any = false;
+  for (int first = incoming.first; first < incoming.last;) {
+    if (!passes(first)) {
+      ++first;
+      continue;
+    }
+    int last = first + 1;
+    while (last < incoming.last && passes(last))
+      ++last;
+    for (const FanCell& cell :
+         fan_.refract(incoming, first, last, importance_, wavelengths_, band_choice_, *counts_)) {
+      push(cell.bundle, cell.weight);
+      any = true;
+    }
+    first = last;
+  }
+  return any && resume();
+}
+
+} // namespace abbe

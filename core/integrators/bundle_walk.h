@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/fan.h"
+#include "core/materials/scattering.h"
+#include "core/sampler.h"
+
+#include <vector>
+
+namespace abbe {
+
+/// What camera paths and light paths have in common: a bundle on its way, others that wait, and
+/// the steps from surface to surface.
+class BundleWalk {
+protected:
+  /// Keeps references. `pixel_angle` is that of Fan.
+  BundleWalk(const Plan& plan, const World& world, double pixel_angle, Transport transport);
+
+  /// Starts a sample. The random numbers of its steps come from `sampler`.
+  void begin(const Sampler& sampler, RayCounts& counts);
+  /// Two numbers in [0, 1) for a purpose at the surface that the bundle has met.
+  [[nodiscard]] dvec2 numbers(SamplePurpose purpose) const;
+
+  /// A copy of a bundle waits for its turn, with the current throughput times `weight`.
+  void push(const Bundle& bundle, float weight);
+  /// Takes up the bundle that was pushed last. False when none waits.
+  bool resume();
+
+  /// Multiplies the throughput by factors per band and a weight.
+  void scale(const float* factors, double weight);
+
+  // Steps from the bundle's hit; scattering_ has been prepared for it. False where the path ends.
+  bool reflect(double chance);
+  bool refract(double chance);
+  /// Along a direction to which the surface spreads light, with the factors and the density that
+  /// Scattering gave for it.
+  bool spread(const dvec3& direction, const float* f_cos, double density);
+
+  const Plan& plan_;
+  const World& world_;
+  PathWavelengths wavelengths_;
+  Fan fan_;
+  Scattering scattering_;
+  BandTable ones_;
+  RayCounts* counts_ = nullptr;
+
+  Bundle bundle_;                 ///< on its way
+  std::vector<float> throughput_; ///< of it
+
+private:
+  bool leave(const dvec3& direction, bool through, RayKind kind);
+  bool survives(MediumId medium);
+
+  Transport transport_;
+  const Sampler* sampler_ = nullptr;
+  double band_choice_ = 0.0;
+  double importance_ = 1.0; ///< of the current bundle behind its last hit
+  std::vector<Bundle> waiting_;
+  std::vector<float> throughputs_; ///< rows of Plan::stride values, one per waiting bundle
+};
+
+} // namespace abbe

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "geometry/ray_state.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace abbe {
+
+/// Light that has come from a lamp by way of mirrors and glass to a surface that spreads it.
+struct Photon {
+  dvec3 position{0.0};
+  dvec3 direction{0.0};    ///< of travel, unit
+  dvec3 normal{0.0};       ///< unit, on the side that the light comes from
+  int first = 0, last = 0; ///< bands
+  int source = 0;          ///< index into Plan::sources, whose spectrum the flux multiplies
+  std::size_t flux = 0;    ///< where its flux per band begins
+};
+
+/// Photons with their fluxes, in the order in which they were found.
+struct PhotonBatch {
+  std::vector<Photon> photons;
+  std::vector<float> flux;
+
+  /// `band_flux` holds one value for each of the photon's bands.
+  void add(Photon photon, const float* band_flux, double scale);
+};
+
+/// Photons of one pass, found by place. What is looked up does not depend on the order in which
+/// batches were made, only on that in which they are given.
+class PhotonMap {
+public:
+  /// `splatted`: the light of photons that the camera sees directly reaches the film by splats.
+  explicit PhotonMap(bool splatted) : splatted_(splatted) {}
+
+  /// Replaces the photons. `radius` is in scene units.
+  void build(std::span<PhotonBatch> batches, double radius);
+
+  [[nodiscard]] bool splatted() const { return splatted_; }
+  [[nodiscard]] std::size_t size() const { return photons_.size(); }
+  [[nodiscard]] double radius() const { return radius_; }
+  /// A photon's share of irradiance at a place near it, per unit of flux: 1 / (pi radius^2).
+  [[nodiscard]] double density_factor() const { return density_factor_; }
+
+  /// Calls `visit(photon, flux)` for the photons on the same side of the same surface within the
+  /// radius; flux[0] belongs to band photon.first.
+  template <class Visit>
+  void for_each_near(const Hit& hit, Visit&& visit) const;
+
+private:
+  /// The cells of the grid, twice the radius wide, that a ball of the radius can touch.
+  using Cells = std::array<std::uint32_t, 8>;
+  [[nodiscard]] std::size_t cells_near(const dvec3& place, Cells& cells) const;
+  [[nodiscard]] std::uint32_t cell_of(const dvec3& place) const;
+
+  bool splatted_;
+  double radius_ = 0.0, density_factor_ = 0.0, cells_per_unit_ = 0.0;
+  std::vector<Photon> photons_; ///< sorted by cell
+  std::vector<float> flux_;
+  std::vector<std::uint32_t> begins_; ///< of each cell, and the end
+};
+
+template <class Visit>
+void PhotonMap::for_each_near(const Hit& hit, Visit&& visit) const {
+  if (photons_.empty()) return;
+  // A curved surface leaves its tangent plane; another one in front of it is farther off.
+  constexpr double kFlatness = 0.25, kLikeNormals = 0.8;
+  const dvec3 normal = hit.entering ? hit.normal : -hit.normal;
+  Cells cells;
+  const std::size_t count = cells_near(hit.point, cells);
+  for (std::size_t c = 0; c < count; ++c)
+    for (std::uint32_t i = begins_[cells[c]]; i < begins_[cells[c] + 1]; ++i) {
+      const Photon& photon = photons_[i];
+      const dvec3 way = photon.position - hit.point;
+      if (glm::dot(way, way) >= radius_ * radius_) continue;
+      if (std::abs(glm::dot(way, normal)) > kFlatness * radius_) continue;
+      if (glm::dot(photon.normal, normal) < kLikeNormals) continue;
+      visit(photon, flux_.data() + photon.flux);
+    }
+}
+
+} // namespace abbe

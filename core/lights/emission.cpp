@@ -1,0 +1,271 @@
+#include "core/lights/emission.h"
+
+#include "core/lights/cones.h"
+#include "core/lights/illumination.h"
+#include "core/plan_extent.h"
+#include "geometry/surface_sample.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace abbe {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+double mean_of(const Curve& spectrum, const BandGrid& grid) {
+  double sum = 0.0;
+  for (const double value : band_means(grid, spectrum))
+    sum += value;
+  return sum / grid.count();
+}
+
+std::optional<EmissionTarget> ball_around(const PlacedShape& placed) {
+  if (!is_bounded(placed.shape))
+    return EmissionTarget{dvec3(0.0), std::numeric_limits<double>::infinity()};
+  const Bounds box = bounds(placed);
+  return EmissionTarget{0.5 * (box.lower + box.upper), 0.5 * glm::length(box.upper - box.lower)};
+}
+
+/// Of `count` things one, by a number in [0, 1) that becomes a number in [0, 1) again.
+std::size_t one_of(std::size_t count, double& u) {
+  const double x = u * static_cast<double>(count);
+  const std::size_t i = std::min(static_cast<std::size_t>(x), count - 1);
+  u = std::min(x - static_cast<double>(i), 1.0 - 0x1p-53);
+  return i;
+}
+
+struct DirectionSample {
+  dvec3 direction;
+  double density; ///< per steradian
+};
+
+/// A direction from a place to one of the targets.
+DirectionSample towards(const std::vector<EmissionTarget>& targets, const dvec3& place, dvec2 u) {
+  const std::size_t chosen = one_of(targets.size(), u.x);
+  const Cone cone = cone_to_ball(place, targets[chosen].center, targets[chosen].radius);
+  const dvec3 direction = cone.sample(u);
+  double density = 0.0;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const Cone other =
+        i == chosen ? cone : cone_to_ball(place, targets[i].center, targets[i].radius);
+    // Rounding must not put a direction outside the cone it was drawn from.
+    if (i == chosen || other.contains(direction)) density += 1.0 / other.solid_angle();
+  }
+  return {direction, density / static_cast<double>(targets.size())};
+}
+
+Cone cone_of(const SpotLight& spot) {
+  const double s = std::sin(0.5 * spot.half_angle);
+  return {spot.axis, 2.0 * s * s};
+}
+
+/// True when the cones have a direction in common.
+bool overlap(const Cone& a, const Cone& b) {
+  const auto half_angle = [](const Cone& c) {
+    return std::acos(std::clamp(1.0 - c.one_minus_cosine, -1.0, 1.0));
+  };
+  const double between = std::acos(std::clamp(glm::dot(a.axis, b.axis), -1.0, 1.0));
+  return between <= half_angle(a) + half_angle(b);
+}
+
+double solid_angles(const std::vector<EmissionTarget>& targets, const dvec3& place) {
+  double sum = 0.0;
+  for (const EmissionTarget& target : targets)
+    sum += cone_to_ball(place, target.center, target.radius).solid_angle();
+  return std::min(sum, 4.0 * kPi);
+}
+
+} // namespace
+
+bool endless_flux(const Light& light) {
+  return light.falloff == Falloff::none && !std::holds_alternative<DirectionalLight>(light.emitter);
+}
+
+std::vector<EmissionTarget> specular_targets(const Scene& scene, const Plan& plan) {
+  std::vector<EmissionTarget> targets;
+  const auto specular = [&](MaterialId id) {
+    return id.valid() && plan.materials[id.index()].specular_part();
+  };
+  for (const PlacedShape& placed : scene.shapes) {
+    const bool of_drops = placed.medium.valid() && plan.medium(placed.medium).drops;
+    if (of_drops && plan.materials[placed.material.index()].clear) continue; // bends no light
+    bool found = specular(placed.material);
+    if (const auto* tree = std::get_if<CsgTree>(&placed.shape))
+      for (const auto& leaf : tree->leaves())
+        found = found || specular(leaf.material);
+    if (!found) continue;
+    if (const auto ball = ball_around(placed)) targets.push_back(*ball);
+  }
+  return targets;
+}
+
+Emission::Emission(const Scene& scene, const Plan& plan)
+    : shape_emits_(scene.shapes.size(), false) {
+  const std::vector<EmissionTarget> targets = specular_targets(scene, plan);
+  if (targets.empty()) return;
+  // Parallel light reaches every target through its disc; an endless one gets the scene's.
+  const double scene_radius = std::max(scene_size(scene), 1e-300);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const Light& light = scene.lights[i];
+    const double value = mean_of(light.spectrum, plan.grid);
+    Emitter emitter;
+    emitter.scene_ = &scene;
+    emitter.light_ = static_cast<int>(i);
+    emitter.source_ = plan.light_source(i);
+    emitter.targets_ = targets;
+    if (const auto* point = std::get_if<PointLight>(&light.emitter)) {
+      if (endless_flux(light)) continue;
+      emitter.flux_ = value * solid_angles(targets, point->position);
+    } else if (const auto* spot = std::get_if<SpotLight>(&light.emitter)) {
+      if (endless_flux(light)) continue;
+      const Cone cone = cone_of(*spot);
+      std::erase_if(emitter.targets_, [&](const EmissionTarget& t) {
+        return !overlap(cone, cone_to_ball(spot->position, t.center, t.radius));
+      });
+      emitter.flux_ =
+          value * std::min(cone.solid_angle(), solid_angles(emitter.targets_, spot->position));
+    } else {
+      for (EmissionTarget& target : emitter.targets_) {
+        target.radius = std::min(target.radius, scene_radius);
+        emitter.flux_ += value * kPi * kPi * target.radius * target.radius;
+      }
+    }
+    if (emitter.flux_ > 0.0 && !emitter.targets_.empty()) emitters_.push_back(std::move(emitter));
+  }
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+    const PlacedShape& placed = scene.shapes[i];
+    if (!placed.material.valid() || !can_sample_surface(placed.shape)) continue;
+    const MaterialPlan& material = plan.materials[placed.material.index()];
+    if (material.emission_source < 0) continue;
+    const double value = mean_of(scene.materials[placed.material.index()].emission, plan.grid);
+    if (!(value > 0.0)) continue;
+    Emitter emitter;
+    emitter.scene_ = &scene;
+    emitter.shape_ = {static_cast<std::int32_t>(i)};
+    emitter.one_sided_ = is_solid(placed.shape) || !material.emits_behind;
+    emitter.source_ = material.emission_source;
+    emitter.targets_ = targets;
+    const Bounds box = bounds(placed);
+    emitter.flux_ = value * surface_area(placed) *
+                    std::min(kPi, solid_angles(targets, 0.5 * (box.lower + box.upper)));
+    shape_emits_[i] = true;
+    emitters_.push_back(std::move(emitter));
+  }
+}
+
+void Emission::place(const World& world) {
+  for (Emitter& emitter : emitters_) {
+    if (emitter.light_ >= 0) {
+      const Light& light = emitter.scene_->lights[static_cast<std::size_t>(emitter.light_)];
+      if (const auto* point = std::get_if<PointLight>(&light.emitter))
+        emitter.nesting_ = world.nesting_at(point->position);
+      else if (const auto* spot = std::get_if<SpotLight>(&light.emitter))
+        emitter.nesting_ = world.nesting_at(spot->position);
+      continue;
+    }
+    // Just the solids around the shape: its own inside does not count.
+    const PlacedShape& placed = world.shapes()[emitter.shape_.index()];
+    const auto middle = sample_surface(placed, {0.5, 0.5});
+    for (const ShapeId id : world.nesting_at(middle->point))
+      if (id != emitter.shape_) emitter.nesting_.push_back(id);
+  }
+}
+
+bool Emission::emits(ShapeId shape) const {
+  return shape_emits_[shape.index()];
+}
+
+std::vector<std::uint32_t> Emission::shares(std::uint32_t paths) const {
+  double total = 0.0;
+  for (const Emitter& emitter : emitters_)
+    total += emitter.flux_;
+  std::vector<std::uint32_t> result;
+  for (const Emitter& emitter : emitters_)
+    result.push_back(
+        std::max(1u, static_cast<std::uint32_t>(std::llround(paths * (emitter.flux_ / total)))));
+  return result;
+}
+
+std::optional<EmittedRay> Emitter::sample(const Sampler& sampler) const {
+  if (light_ < 0) return from_shape(scene_->shapes[shape_.index()], sampler);
+  const Light& light = scene_->lights[static_cast<std::size_t>(light_)];
+  if (const auto* point = std::get_if<PointLight>(&light.emitter))
+    return from_point(point->position, sampler);
+  if (const auto* spot = std::get_if<SpotLight>(&light.emitter)) return from_spot(*spot, sampler);
+  return from_afar(std::get<DirectionalLight>(light.emitter).direction, sampler);
+}
+
+std::optional<EmittedRay> Emitter::from_point(const dvec3& position, const Sampler& sampler) const {
+  const DirectionSample way = towards(targets_, position, sampler.pair(kEmissionDirection));
+  EmittedRay ray;
+  ray.state.ray = {position, way.direction};
+  ray.state.nesting = nesting_;
+  ray.source = source_;
+  ray.flux = 1.0 / way.density;
+  return ray;
+}
+
+std::optional<EmittedRay> Emitter::from_spot(const SpotLight& spot, const Sampler& sampler) const {
+  const Cone cone = cone_of(spot);
+  const dvec2 u = sampler.pair(kEmissionDirection);
+  DirectionSample way{};
+  if (cone.solid_angle() <= solid_angles(targets_, spot.position))
+    way = {cone.sample(u), 1.0 / cone.solid_angle()};
+  else
+    way = towards(targets_, spot.position, u);
+  const double shine = brightness_towards(spot, way.direction);
+  if (!(shine > 0.0)) return std::nullopt;
+  EmittedRay ray;
+  ray.state.ray = {spot.position, way.direction};
+  ray.state.nesting = nesting_;
+  ray.source = source_;
+  ray.flux = shine / way.density;
+  return ray;
+}
+
+/// Parallel light, through the discs that the targets fill as seen along it.
+std::optional<EmittedRay> Emitter::from_afar(const dvec3& direction, const Sampler& sampler) const {
+  const Frame frame(direction);
+  dvec2 u = sampler.pair(kEmissionPoint);
+  const std::size_t chosen = one_of(targets_.size(), u.x);
+  const double radius = targets_[chosen].radius * std::sqrt(u.x);
+  const double angle = 2.0 * kPi * u.y;
+  const dvec3 place = targets_[chosen].center + radius * std::cos(angle) * frame.x +
+                      radius * std::sin(angle) * frame.y;
+  double density = 0.0, back = 0.0;
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    const EmissionTarget& target = targets_[i];
+    const dvec3 apart = place - target.center;
+    const double across2 = glm::dot(apart, apart) - std::pow(glm::dot(apart, direction), 2);
+    if (i == chosen || across2 < target.radius * target.radius)
+      density += 1.0 / (kPi * target.radius * target.radius);
+    // Begin before all of them.
+    back = std::max(back, glm::dot(apart, direction) + 2.0 * target.radius);
+  }
+  density /= static_cast<double>(targets_.size());
+  EmittedRay ray;
+  ray.state.ray = {place - (back + scene_size(*scene_)) * direction, direction};
+  ray.source = source_;
+  ray.flux = kPi / density;
+  return ray;
+}
+
+std::optional<EmittedRay> Emitter::from_shape(const PlacedShape& placed,
+                                              const Sampler& sampler) const {
+  const auto point = sample_surface(placed, sampler.pair(kEmissionPoint));
+  const DirectionSample way = towards(targets_, point->point, sampler.pair(kEmissionDirection));
+  const double cosine = glm::dot(way.direction, point->normal);
+  if (one_sided_ ? !(cosine > 0.0) : cosine == 0.0) return std::nullopt;
+  EmittedRay ray;
+  ray.state.ray = {point->point, way.direction};
+  ray.state.contacts.push_back({shape_, point->face, cosine > 0.0 ? Side::outside : Side::inside});
+  ray.state.nesting = nesting_;
+  ray.source = source_;
+  ray.flux = std::abs(cosine) / (point->density * way.density);
+  return ray;
+}
+
+} // namespace abbe
