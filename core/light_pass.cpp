@@ -1,5 +1,6 @@
 #include "core/light_pass.h"
 
+#include "core/denormals.h"
 #include "core/integrators/light_paths.h"
 #include "core/plan_extent.h"
 #include "core/sampler.h"
@@ -66,6 +67,7 @@ RayCounts LightPasses::run(int pass, int samples, const std::atomic<bool>& stop,
   std::vector<RayCounts> counts(chunks.size());
   std::atomic<std::size_t> done = 0;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks.size(), 1), [&](const auto& range) {
+    const DenormalsOff denormals_off;
     LightPaths walker(plan_, world_, &camera_, film_);
     for (std::size_t c = range.begin(); c < range.end() && !stop; ++c) {
       const Chunk& chunk = chunks[c];

@@ -221,10 +221,14 @@ void note_content(const Scene& scene, Plan& plan) {
   plan.notes.insert(plan.notes.begin(),
                     fmt::format("{} x {} pixels in {}, {}; {} of {:.3g} nm", plan.window.width(),
                                 plan.window.height(), count(plan.tiles.size(), "tile", "tiles"),
-                                count(static_cast<std::size_t>(settings.samples_per_pixel),
-                                      "sample a pixel", "samples a pixel"),
+                                (settings.adaptive() ? "at most " : "") +
+                                    count(static_cast<std::size_t>(settings.samples_per_pixel),
+                                          "sample a pixel", "samples a pixel"),
                                 count(static_cast<std::size_t>(settings.bands), "band", "bands"),
                                 plan.grid.width_nm()));
+  if (settings.noise > 0.0)
+    plan.notes.push_back(
+        fmt::format("each tile ends at an estimated relative error of {}", settings.noise));
   for (const Medium& medium : scene.media)
     if (!is_achromatic(medium.index))
       plan.notes.push_back(
@@ -260,6 +264,8 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
   if (settings.shadows == ShadowRule::automatic)
     plan.settings.shadows =
         settings.integrator == Integrator::path ? ShadowRule::opaque : ShadowRule::attenuated;
+  if (settings.samples_per_pixel == 0)
+    plan.settings.samples_per_pixel = settings.adaptive() ? kMostSamplesPerPixel : kSamplesPerPixel;
   plan.grid = BandGrid(settings.bands);
   plan.stride = padded_band_count(settings.bands);
 

@@ -10,25 +10,29 @@ bool before(const Candidate& a, const Candidate& b) {
   return a.crossing.t != b.crossing.t ? a.crossing.t < b.crossing.t : a.shape < b.shape;
 }
 
-MaterialId material_of(const PlacedShape& placed, FaceId face) {
-  if (const auto* tree = std::get_if<CsgTree>(&placed.shape)) {
-    const MaterialId own = tree->leaves()[static_cast<std::size_t>(face.leaf)].material;
+MaterialId material_of(const ShapeTable::Row& row, FaceId face) {
+  if (row.tree) {
+    const auto& tree = *std::get_if<CsgTree>(&row.placed->shape);
+    const MaterialId own = tree.leaves()[static_cast<std::size_t>(face.leaf)].material;
     if (own.valid()) return own;
   }
-  return placed.material;
+  return row.material;
 }
 
 /// Point and outward normal of a crossing, in the world.
-void place(const PlacedShape& placed, FaceId face, const dvec3& near_point, Hit& hit) {
-  const Transform& to_world = placed.to_world;
+void place(const ShapeTable& shapes, const ShapeTable::Row& row, const dvec3& near_point,
+           Hit& hit) {
+  const Transform& to_world = row.placed->to_world;
   const dvec3 local = to_world.inverse_point(near_point);
   std::visit(
       [&](const auto& shape) {
-        const dvec3 on_surface = snapped(shape, local, face);
+        const dvec3 on_surface = snapped(shape, local, hit.face);
         hit.point = to_world.point(on_surface);
-        hit.normal = to_world.normal(outward_normal(shape, on_surface, face));
+        hit.normal = row.first_normal >= 0
+                         ? shapes.normal(row, hit.face)
+                         : to_world.normal(outward_normal(shape, on_surface, hit.face));
       },
-      placed.shape);
+      row.placed->shape);
 }
 
 void enter_or_leave(Nesting& nesting, ShapeId shape, bool entering) {
@@ -40,10 +44,11 @@ void enter_or_leave(Nesting& nesting, ShapeId shape, bool entering) {
 
 /// The crossing that shows: an opaque or flat shape before glass, then the highest priority, then
 /// the shape defined last (as for medium_of). Never the one that rounding happens to put first.
-const Candidate& shown(const std::vector<PlacedShape>& shapes, const Coincident& crossings) {
+const Candidate& shown(const ShapeTable& shapes, const Coincident& crossings) {
+  if (crossings.size() == 1) return crossings[0];
   const auto rank = [&](const Candidate& c) {
-    const PlacedShape& placed = shapes[c.shape.index()];
-    return std::tuple(!placed.medium.valid(), placed.priority, c.shape);
+    const ShapeTable::Row& row = shapes[c.shape];
+    return std::tuple(!row.medium.valid(), row.priority, c.shape);
   };
   const Candidate* highest = crossings.begin();
   for (const Candidate& c : crossings)
@@ -73,10 +78,7 @@ void keep_contacts(Hit& hit, const Contacts& contacts) {
 
 } // namespace
 
-bool NearestCandidates::offer(const Candidate& candidate) {
-  const ShapeCrossing& crossing = candidate.crossing;
-  if (crossing.t - crossing.t_error > reach_) return false;
-  reach_ = std::min(reach_, crossing.t + crossing.t_error);
+bool NearestCandidates::offer_beside_others(const Candidate& candidate) {
   for (std::size_t i = kept_.size(); i-- > 0;)
     if (kept_[i].crossing.t - kept_[i].crossing.t_error > reach_) kept_.erase(i);
   std::size_t place = kept_.size();
@@ -85,47 +87,46 @@ bool NearestCandidates::offer(const Candidate& candidate) {
   return kept_.insert(place, candidate);
 }
 
-MediumId medium_of(const std::vector<PlacedShape>& shapes, const Nesting& nesting) {
-  const PlacedShape* prevailing = nullptr;
+MediumId medium_of(const ShapeTable& shapes, const Nesting& nesting) {
+  const ShapeTable::Row* prevailing = nullptr;
   ShapeId owner;
   for (const ShapeId id : nesting) {
-    const PlacedShape& placed = shapes[id.index()];
-    if (!placed.medium.valid()) continue;
-    if (prevailing && std::tuple(placed.priority, id) < std::tuple(prevailing->priority, owner))
+    const ShapeTable::Row& row = shapes[id];
+    if (!row.medium.valid()) continue;
+    if (prevailing && std::tuple(row.priority, id) < std::tuple(prevailing->priority, owner))
       continue;
-    prevailing = &placed;
+    prevailing = &row;
     owner = id;
   }
   return prevailing ? prevailing->medium : MediumId{};
 }
 
-Boundary resolve(const std::vector<PlacedShape>& shapes, const RayState& state,
-                 const Coincident& crossings) {
+bool resolve(const ShapeTable& shapes, const RayState& state, const Coincident& crossings,
+             Hit& hit) {
   const Candidate& seen = shown(shapes, crossings);
-  const PlacedShape& placed = shapes[seen.shape.index()];
-  Boundary boundary;
-  Hit& hit = boundary.hit;
+  const ShapeTable::Row& row = shapes[seen.shape];
   hit.t = seen.crossing.t;
   hit.shape = seen.shape;
   hit.face = seen.crossing.face;
   hit.entering = seen.crossing.entering;
-  hit.material = material_of(placed, hit.face);
-  place(placed, hit.face, state.ray.at(hit.t), hit);
+  hit.material = material_of(row, hit.face);
+  place(shapes, row, state.ray.at(hit.t), hit);
 
   touch(hit, seen); // the surface that shows comes first
-  hit.nesting_before = hit.nesting_after = state.nesting;
+  hit.nesting_before = state.nesting;
+  hit.nesting_after = state.nesting;
+  bool changes = false;
   for (const Candidate& c : crossings) {
     if (c.shape != seen.shape) touch(hit, c);
-    if (is_solid(shapes[c.shape.index()].shape))
-      enter_or_leave(hit.nesting_after, c.shape, c.crossing.entering);
+    if (!shapes[c.shape].solid) continue;
+    enter_or_leave(hit.nesting_after, c.shape, c.crossing.entering);
+    changes = true;
   }
   if (hit.t == 0.0) keep_contacts(hit, state.contacts);
 
-  const bool opaque = !placed.medium.valid();
   hit.medium_before = medium_of(shapes, hit.nesting_before);
-  hit.medium_after = medium_of(shapes, hit.nesting_after);
-  boundary.visible = opaque || hit.medium_before != hit.medium_after;
-  return boundary;
+  hit.medium_after = changes ? medium_of(shapes, hit.nesting_after) : hit.medium_before;
+  return !row.medium.valid() || hit.medium_before != hit.medium_after;
 }
 
 } // namespace abbe

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "geometry/ray_state.h"
-#include "geometry/shape.h"
+#include "geometry/shape_table.h"
 
-#include <vector>
+#include <algorithm>
 
 namespace abbe {
 
@@ -21,7 +21,13 @@ using Coincident = FixedVector<Candidate, 8>;
 class NearestCandidates {
 public:
   /// Keeps the candidate if it can belong to the nearest boundary. True when it was kept.
-  bool offer(const Candidate& candidate);
+  bool offer(ShapeId shape, const ShapeCrossing& crossing) {
+    if (crossing.t - crossing.t_error > reach_) return false;
+    reach_ = std::min(reach_, crossing.t + crossing.t_error);
+    if (!kept_.empty()) return offer_beside_others({shape, crossing});
+    kept_.push_back({shape, crossing});
+    return true;
+  }
   [[nodiscard]] bool empty() const { return kept_.empty(); }
   void clear() {
     kept_.clear();
@@ -32,21 +38,20 @@ public:
   [[nodiscard]] const Coincident& boundary() const { return kept_; }
 
 private:
+  bool offer_beside_others(const Candidate& candidate);
+
   Coincident kept_;
   double reach_ = kInfinity;
 };
 
 /// The medium at a place inside these solids; see World::medium_of.
-[[nodiscard]] MediumId medium_of(const std::vector<PlacedShape>& shapes, const Nesting& nesting);
+[[nodiscard]] MediumId medium_of(const ShapeTable& shapes, const Nesting& nesting);
 
 /// What the ray meets at the nearest boundary, all coinciding crossings taken as one. A shape
 /// without a medium (opaque or flat) shows before any other; else the one whose medium prevails.
-/// `visible` is false where nothing is to be seen: equal media on both sides.
-struct Boundary {
-  Hit hit;
-  bool visible = true;
-};
-[[nodiscard]] Boundary resolve(const std::vector<PlacedShape>& shapes, const RayState& state,
-                               const Coincident& crossings);
+/// Writes it to `hit`, which must be new. False where nothing is to be seen: equal media on both
+/// sides.
+[[nodiscard]] bool resolve(const ShapeTable& shapes, const RayState& state,
+                           const Coincident& crossings, Hit& hit);
 
 } // namespace abbe

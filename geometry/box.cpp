@@ -4,42 +4,9 @@
 #include <cmath>
 
 namespace abbe {
-namespace {
 
-Root with_error(const LocalRay& ray, Root root) {
-  root.t_error = plane_root_error(ray, std::abs(ray.direction[root.face.face / 2]), root.t, 1.0);
-  return root;
-}
-
-} // namespace
-
-std::optional<Interval> intersect(const Box&, const LocalRay& ray, const FaceContact* contact) {
-  if (contact && contact->side == Side::outside) return std::nullopt; // convex: never met again
-  Interval inside;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double o = ray.origin[axis];
-    const double d = ray.direction[axis];
-    if (d == 0.0) {
-      if (!contact && std::abs(o) > 1.0) return std::nullopt;
-      continue;
-    }
-    // The ray enters through the face it runs against and leaves through the opposite one.
-    const int exit_face = 2 * axis + (d > 0.0 ? 1 : 0);
-    const double sign = d > 0.0 ? 1.0 : -1.0;
-    const double t_exit = (sign - o) / d;
-    if (t_exit < inside.exit.t && !(contact && contact->face == exit_face))
-      inside.exit = {t_exit, 0.0, {0, exit_face}};
-    const double t_enter = (-sign - o) / d;
-    if (t_enter > inside.enter.t) inside.enter = {t_enter, 0.0, {0, exit_face ^ 1}};
-  }
-  if (contact) {
-    inside.enter = {0.0, 0.0, {0, contact->face}};
-    inside.exit = with_error(ray, inside.exit);
-    inside.exit.t = std::max(0.0, inside.exit.t);
-    return inside;
-  }
-  if (inside.enter.t > inside.exit.t) return std::nullopt;
-  return Interval{with_error(ray, inside.enter), with_error(ray, inside.exit)};
+std::optional<Interval> intersect(const Box& box, const LocalRay& ray, const FaceContact* contact) {
+  return with_errors(box, ray, contact);
 }
 
 dvec3 outward_normal(const Box&, const dvec3&, int face) {

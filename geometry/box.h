@@ -1,9 +1,9 @@
 #pragma once
 
-#include "geometry/interval.h"
-#include "geometry/local_ray.h"
+#include "geometry/plane_interval.h"
 #include "geometry/transform.h"
 
+#include <cmath>
 #include <optional>
 
 namespace abbe {
@@ -12,6 +12,36 @@ namespace abbe {
 /// upper.
 struct Box {};
 
+/// The part of the ray's line inside the box. With a contact the root of its face is t = 0.
+[[nodiscard]] std::optional<PlaneInterval> plane_interval(const Box&, const RayInFrame auto& ray,
+                                                          const FaceContact* contact) {
+  if (contact && contact->side == Side::outside) return std::nullopt; // convex: never met again
+  const Wide o = wide_origin(ray), d = wide_direction(ray), one{1.0, 1.0, 1.0, 1.0};
+  // The ray enters through the face it runs against and leaves through the opposite one.
+  const Wide sign = d > 0.0 ? one : -one;
+  const Wide t_exit = (sign - o) / d, t_enter = (-sign - o) / d;
+  PlaneInterval inside;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (d[axis] == 0.0) {
+      if (!contact && std::abs(o[axis]) > 1.0) return std::nullopt;
+      continue;
+    }
+    const int exit_face = 2 * axis + (d[axis] > 0.0 ? 1 : 0);
+    if (t_exit[axis] < inside.exit.t && !(contact && contact->face == exit_face))
+      inside.exit = {t_exit[axis], exit_face};
+    if (t_enter[axis] > inside.enter.t) inside.enter = {t_enter[axis], exit_face ^ 1};
+  }
+  if (contact)
+    inside.enter = {0.0, contact->face};
+  else if (inside.enter.t > inside.exit.t)
+    return std::nullopt;
+  return inside;
+}
+/// The same root with its bound of error.
+[[nodiscard]] Root with_error(const Box&, const RayInFrame auto& ray, const PlaneRoot& root) {
+  const double speed = std::abs(ray.direction[root.face / 2]);
+  return {root.t, plane_root_error(ray, speed, root.t, 1.0), {0, root.face}};
+}
 [[nodiscard]] std::optional<Interval> intersect(const Box& box, const LocalRay& ray,
                                                 const FaceContact* contact = nullptr);
 [[nodiscard]] dvec3 outward_normal(const Box& box, const dvec3& point, int face);

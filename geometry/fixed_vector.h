@@ -55,9 +55,11 @@ public:
 
 private:
   void copy(const FixedVector& other) {
-    for (std::size_t i = 0; i < other.size_; ++i)
-      std::construct_at(values_ + i, other.values_[i]);
     size_ = other.size_;
+    if (size_ == 0) return;
+    std::construct_at(values_, other.values_[0]); // a loop alone becomes a call of memmove
+    for (std::size_t i = 1; i < size_; ++i)
+      std::construct_at(values_ + i, other.values_[i]);
   }
 
   std::uint32_t size_ = 0;

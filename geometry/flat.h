@@ -4,6 +4,7 @@
 #include "geometry/local_ray.h"
 #include "geometry/transform.h"
 
+#include <cmath>
 #include <optional>
 #include <variant>
 
@@ -24,18 +25,25 @@ concept FlatShape = requires(const S& shape, const dvec3& point) {
 };
 
 /// Whether the shape holds this point of its plane.
-[[nodiscard]] bool covers(const Square& square, const dvec3& point);
-[[nodiscard]] bool covers(const Disc& disc, const dvec3& point);
-[[nodiscard]] bool covers(const Plane& plane, const dvec3& point);
+[[nodiscard]] inline bool covers(const Square&, const dvec3& point) {
+  return std::abs(point.x) <= 1.0 && std::abs(point.y) <= 1.0;
+}
+[[nodiscard]] inline bool covers(const Disc&, const dvec3& point) {
+  return point.x * point.x + point.y * point.y <= 1.0;
+}
+[[nodiscard]] inline bool covers(const Plane&, const dvec3&) {
+  return true;
+}
 
-/// Where a line meets the plane z = 0. Nothing for a line in the plane, which sees no area of it.
-[[nodiscard]] std::optional<Root> plane_root(const LocalRay& ray);
-
-/// Where the line meets the shape. A ray that leaves a flat surface never meets it again.
+/// Where a line meets the shape between `first` and `last`, that one not included. Nothing for a
+/// line in the shape's plane, which sees no area of it.
 template <FlatShape S>
-[[nodiscard]] std::optional<Root> intersect(const S& shape, const LocalRay& ray) {
-  const auto root = plane_root(ray);
-  return root && covers(shape, ray.at(root->t)) ? root : std::nullopt;
+[[nodiscard]] std::optional<Root> intersect(const S& shape, const RayInFrame auto& ray,
+                                            double first = -kInfinity, double last = kInfinity) {
+  if (ray.direction.z == 0.0) return std::nullopt;
+  const double t = -ray.origin.z / ray.direction.z;
+  if (t < first || t >= last || !covers(shape, ray.at(t))) return std::nullopt;
+  return Root{t, plane_root_error(ray, std::abs(ray.direction.z), t, 1.0), {}};
 }
 
 template <FlatShape S>

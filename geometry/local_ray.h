@@ -2,6 +2,7 @@
 
 #include "geometry/interval.h"
 #include "geometry/transform.h"
+#include "geometry/wide.h"
 
 #include <cmath>
 
@@ -34,10 +35,23 @@ struct LocalRay {
           to_outer.inverse_vector_error(ray.direction, ray.direction_error)};
 }
 
+/// A LocalRay, or what serves as one: solvers take either.
+template <class R>
+concept RayInFrame = requires(const R& ray) {
+  ray.origin.x + ray.direction.x + ray.at(0.0).x + ray.shift_at(0.0, 1.0);
+};
+
+[[nodiscard]] Wide wide_origin(const RayInFrame auto& ray) {
+  return Wide{ray.origin.x, ray.origin.y, ray.origin.z, 0.0};
+}
+[[nodiscard]] Wide wide_direction(const RayInFrame auto& ray) {
+  return Wide{ray.direction.x, ray.direction.y, ray.direction.z, 0.0};
+}
+
 /// The rounding error of a root t with a plane: a plane shifted by e that the line crosses at
 /// `speed` = |n.d| moves its root by e / speed; forming t rounds a few times more.
-[[nodiscard]] inline double plane_root_error(const LocalRay& ray, double speed, double t,
-                                             double size) {
+[[nodiscard]] double plane_root_error(const RayInFrame auto& ray, double speed, double t,
+                                      double size) {
   return ray.shift_at(t, size) / speed + 4.0 * kRoundoff * std::abs(t);
 }
 

@@ -1,28 +1,87 @@
 #include "geometry/mesh.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <map>
+#include <cstdint>
 #include <numbers>
-#include <set>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 namespace abbe {
 namespace {
 
-constexpr std::int32_t kMostInLeaf = 4;
+/// Numbers places; equal places get the same number.
+class Places {
+public:
+  Places(std::vector<dvec3>& vertices, std::size_t most)
+      : vertices_(vertices), table_(std::bit_ceil(2 * most + 1), -1) {}
+
+  /// Adds the place to the vertices unless it is there.
+  std::int32_t number(const dvec3& p) {
+    const std::size_t last = table_.size() - 1;
+    std::size_t place = hash(p) & last;
+    while (table_[place] >= 0 && vertices_[static_cast<std::size_t>(table_[place])] != p)
+      place = (place + 1) & last;
+    if (table_[place] < 0) {
+      table_[place] = static_cast<std::int32_t>(vertices_.size());
+      vertices_.push_back(p);
+    }
+    return table_[place];
+  }
+
+private:
+  static std::size_t hash(const dvec3& p) {
+    std::uint64_t h = 0;
+    for (int i = 0; i < 3; ++i) { // the 0 makes -0 a 0; the factor is an odd number near 2^64 / phi
+      h = (h ^ std::bit_cast<std::uint64_t>(p[i] + 0.0)) * 0x9e3779b97f4a7c15u;
+      h ^= h >> 32;
+    }
+    return h;
+  }
+
+  std::vector<dvec3>& vertices_;
+  std::vector<std::int32_t> table_; ///< open addressing; a negative number is an empty place
+};
 
 /// True when each directed edge has its opposite, and none comes twice.
 bool edges_match(const std::vector<Triangle>& triangles) {
-  std::set<std::pair<std::int32_t, std::int32_t>> edges;
+  std::vector<std::uint64_t> edges; // both ends, the lower first, then the direction
+  edges.reserve(3 * triangles.size());
   for (const Triangle& t : triangles)
-    for (std::size_t i = 0; i < 3; ++i)
-      if (!edges.emplace(t[i], t[(i + 1) % 3]).second) return false;
-  return std::all_of(edges.begin(), edges.end(), [&](const auto& e) {
-    return edges.contains({e.second, e.first});
-  });
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto from = static_cast<std::uint64_t>(t[i]);
+      const auto to = static_cast<std::uint64_t>(t[(i + 1) % 3]);
+      edges.push_back(std::min(from, to) << 33 | std::max(from, to) << 1 | (from < to ? 0u : 1u));
+    }
+  if (edges.size() % 2 != 0) return false;
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t i = 0; i < edges.size(); i += 2) {
+    const bool pair = edges[i] % 2 == 0 && edges[i + 1] == edges[i] + 1;
+    if (!pair || (i > 0 && edges[i - 1] == edges[i + 1])) return false;
+  }
+  return true;
+}
+
+/// Numbers the vertices in the order in which the triangles name them; those that are not named
+/// are left out.
+void sort_vertices(std::vector<dvec3>& vertices, std::vector<Triangle>& triangles) {
+  std::vector<std::int32_t> number(vertices.size(), -1);
+  std::vector<dvec3> sorted;
+  sorted.reserve(vertices.size());
+  for (Triangle& t : triangles)
+    for (std::int32_t& corner : t) {
+      const auto old = static_cast<std::size_t>(corner);
+      if (number[old] < 0) {
+        number[old] = static_cast<std::int32_t>(sorted.size());
+        sorted.push_back(vertices[old]);
+      }
+      corner = number[old];
+    }
+  sorted.shrink_to_fit();
+  vertices = std::move(sorted);
 }
 
 /// The angle under which a triangle is seen, counter-clockwise above 0 [OS83].
@@ -51,170 +110,126 @@ double squared_distance(const dvec3& a, const dvec3& b, const dvec3& c) {
   return std::min({to_edge(a, b), to_edge(b, c), to_edge(c, a)});
 }
 
-/// A line seen along itself: the largest part of its direction is the third axis, and the others
-/// are sheared so that it runs along that axis [WBW13]. A triangle's edge then
-/// passes the origin on one side or the other, the same for both triangles that share it.
-class ShearedLine {
+double squared_distance(const Bounds& box, const dvec3& point) {
+  return squared(glm::max(glm::max(box.lower - point, point - box.upper), dvec3(0.0)));
+}
+
+/// Searches the hierarchy for the triangle nearest to a point, of those that face a direction.
+class NearestFace {
 public:
-  explicit ShearedLine(const LocalRay& ray) : origin_(ray.origin) {
-    const dvec3& d = ray.direction;
-    for (int i = 1; i < 3; ++i)
-      if (std::abs(d[i]) > std::abs(d[z_])) z_ = i;
-    x_ = (z_ + 1) % 3;
-    y_ = (z_ + 2) % 3;
-    shear_ = {d[x_] / d[z_], d[y_] / d[z_], 1.0 / d[z_]};
+  NearestFace(const Mesh& mesh, const dvec3& point, const dvec3& direction)
+      : mesh_(mesh), point_(point), direction_(direction) {
+    visit(0);
   }
-
-  [[nodiscard]] dvec3 seen(const dvec3& point) const {
-    const dvec3 p = point - origin_;
-    return {p[x_] - shear_.x * p[z_], p[y_] - shear_.y * p[z_], shear_.z * p[z_]};
-  }
-
-  /// True when the third axis points against the line: what it sees as mirrored is not.
-  [[nodiscard]] bool reversed() const { return shear_.z < 0.0; }
+  [[nodiscard]] int face() const { return face_; }
 
 private:
-  dvec3 origin_, shear_;
-  int x_ = 1, y_ = 2, z_ = 0;
-};
-
-double edge(const dvec3& p, const dvec3& q) {
-  return p.x * q.y - p.y * q.x;
-}
-
-struct Crossed {
-  double t;
-  bool outwards;
-};
-
-/// Where a line crosses a triangle, if it does, and whether it runs with the normal. Both follow
-/// from the same signs, so that a line enters and leaves a closed mesh in turn.
-std::optional<Crossed> crossed(const Mesh& mesh, int triangle, const ShearedLine& line) {
-  const dvec3 a = line.seen(mesh.corner(triangle, 0)), b = line.seen(mesh.corner(triangle, 1)),
-              c = line.seen(mesh.corner(triangle, 2));
-  const double u = edge(b, c), v = edge(c, a), w = edge(a, b);
-  if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)) return std::nullopt;
-  const double sum = u + v + w;
-  if (sum == 0.0) return std::nullopt; // seen from its edge
-  return Crossed{(u * a.z + v * b.z + w * c.z) / sum, (sum > 0.0) != line.reversed()};
-}
-
-/// True when the line between t = 0 and `farthest` may meet the box grown by `margin`.
-bool meets(const Bounds& box, const LocalRay& ray, double margin, double farthest) {
-  double first = 0.0, last = farthest;
-  for (int i = 0; i < 3; ++i) {
-    const double low = box.lower[i] - margin - ray.origin[i];
-    const double high = box.upper[i] + margin - ray.origin[i];
-    const double d = ray.direction[i];
-    if (d == 0.0) {
-      if (low > 0.0 || high < 0.0) return false;
-      continue;
-    }
-    first = std::max(first, std::min(low / d, high / d));
-    last = std::min(last, std::max(low / d, high / d));
+  void visit(std::int32_t child) {
+    if (MeshLeaf::is(child)) return ask(MeshLeaf::of(child));
+    const MeshNode& node = mesh_.hierarchy().nodes[static_cast<std::size_t>(child)];
+    std::vector<std::pair<double, std::int32_t>> boxes;
+    for (std::size_t i = 0; i < 8; ++i)
+      if (node.holds(i))
+        boxes.emplace_back(squared_distance(mesh_.hierarchy().bounds(node, i), point_),
+                           node.child[i]);
+    std::sort(boxes.begin(), boxes.end());
+    for (const auto& [distance, box] : boxes)
+      if (distance < smallest_) visit(box);
   }
-  return first <= last;
+  void ask(const MeshLeaf& leaf) {
+    for (int i = leaf.first; i < leaf.first + leaf.count; ++i) {
+      const auto [a, b, c] = mesh_.corners(i);
+      const double distance = squared_distance(a - point_, b - point_, c - point_);
+      if (distance >= smallest_ || glm::dot(glm::cross(b - a, c - a), direction_) <= 0.0) continue;
+      smallest_ = distance;
+      face_ = i;
+    }
+  }
+
+  const Mesh& mesh_;
+  dvec3 point_, direction_;
+  double smallest_ = kInfinity;
+  int face_ = 0;
+};
+
+/// The box around what a box of a node holds: its triangles, or after `levels` more nodes the boxes
+/// themselves, which are looser.
+Bounds placed_bounds(const Mesh& mesh, const Transform& to_world, const MeshNode& node,
+                     int levels) {
+  Bounds found;
+  for (std::size_t i = 0; i < 8; ++i) {
+    if (!node.holds(i)) continue;
+    if (MeshLeaf::is(node.child[i])) {
+      const MeshLeaf leaf = MeshLeaf::of(node.child[i]);
+      for (int t = leaf.first; t < leaf.first + leaf.count; ++t)
+        for (int c = 0; c < 3; ++c) {
+          const dvec3 p = to_world.point(mesh.corner(t, c));
+          found = found.joined({p, p});
+        }
+    } else if (levels > 0) {
+      const MeshNode& inner = mesh.hierarchy().nodes[static_cast<std::size_t>(node.child[i])];
+      found = found.joined(placed_bounds(mesh, to_world, inner, levels - 1));
+    } else {
+      found = found.joined(to_world.box(mesh.hierarchy().bounds(node, i)));
+    }
+  }
+  return found;
 }
 
-bool before(const Root& a, const Root& b) {
-  return std::tie(a.t, a.face.face) < std::tie(b.t, b.face.face);
+template <class T>
+std::size_t bytes(const std::vector<T>& values) {
+  return values.capacity() * sizeof(T);
 }
 
 } // namespace
 
 Mesh::Mesh(const std::vector<dvec3>& vertices, const std::vector<Triangle>& triangles) {
-  std::map<std::tuple<double, double, double>, std::int32_t> places;
+  auto data = std::make_shared<Data>();
+  Places places(data->vertices, vertices.size());
   std::vector<std::int32_t> merged;
+  merged.reserve(vertices.size());
   for (const dvec3& p : vertices) {
-    const auto number = static_cast<std::int32_t>(vertices_.size());
-    const auto [place, is_new] = places.emplace(std::tuple(p.x, p.y, p.z), number);
-    if (is_new) vertices_.push_back(p);
-    merged.push_back(place->second);
-    size_ = std::max({size_, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    if (!std::isfinite(p.x + p.y + p.z))
+      throw std::invalid_argument("a vertex has a coordinate that is no finite number");
+    merged.push_back(places.number(p));
   }
+  data->triangles.reserve(triangles.size());
   for (const Triangle& t : triangles) {
     Triangle found{};
+    std::array<dvec3, 3> p;
     for (std::size_t i = 0; i < 3; ++i) {
       if (t[i] < 0 || static_cast<std::size_t>(t[i]) >= merged.size())
         throw std::invalid_argument("a triangle has a corner that is no vertex");
       found[i] = merged[static_cast<std::size_t>(t[i])];
+      p[i] = vertices[static_cast<std::size_t>(t[i])];
     }
-    const auto at = [&](std::size_t i) { return vertices_[static_cast<std::size_t>(found[i])]; };
-    if (squared(glm::cross(at(1) - at(0), at(2) - at(0))) > 0.0) triangles_.push_back(found);
+    if (squared(glm::cross(p[1] - p[0], p[2] - p[0])) > 0.0) data->triangles.push_back(found);
   }
-  if (triangles_.empty()) throw std::invalid_argument("there is no triangle with an area");
-  closed_ = edges_match(triangles_);
+  if (data->triangles.empty()) throw std::invalid_argument("there is no triangle with an area");
+  data->triangles.shrink_to_fit();
+  data->closed = edges_match(data->triangles);
+  data->hierarchy = make_hierarchy(data->vertices, data->triangles);
+  sort_vertices(data->vertices, data->triangles);
+  for (const dvec3& p : data->vertices)
+    data->size = std::max({data->size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   double volume = 0.0; // six times that of the tetrahedra with a corner at the first vertex
-  for (int i = 0; i < static_cast<int>(triangles_.size()); ++i)
-    volume += glm::dot(corner(i, 0) - vertices_[0],
-                       glm::cross(corner(i, 1) - vertices_[0], corner(i, 2) - vertices_[0]));
-  if (closed_ && volume < 0.0)
-    for (Triangle& t : triangles_)
+  const dvec3& first = data->vertices[0];
+  for (const Triangle& t : data->triangles) {
+    const auto at = [&](std::size_t i) {
+      return data->vertices[static_cast<std::size_t>(t[i])] - first;
+    };
+    volume += glm::dot(at(0), glm::cross(at(1), at(2)));
+    data->area += 0.5 * glm::length(glm::cross(at(1) - at(0), at(2) - at(0)));
+  }
+  if (data->closed && volume < 0.0)
+    for (Triangle& t : data->triangles)
       std::swap(t[1], t[2]);
-  build(0, static_cast<std::int32_t>(triangles_.size()));
+  data_ = std::move(data);
 }
 
-void Mesh::build(std::int32_t first, std::int32_t count) {
-  const auto place = nodes_.size();
-  nodes_.push_back({{}, first, count});
-  Bounds centres;
-  const auto centre = [&](const Triangle& t) {
-    dvec3 sum(0.0);
-    for (const std::int32_t i : t)
-      sum += vertices_[static_cast<std::size_t>(i)];
-    return sum;
-  };
-  for (std::int32_t i = first; i < first + count; ++i) {
-    for (int c = 0; c < 3; ++c)
-      nodes_[place].box = nodes_[place].box.joined({corner(i, c), corner(i, c)});
-    const dvec3 middle = centre(triangles_[static_cast<std::size_t>(i)]);
-    centres = centres.joined({middle, middle});
-  }
-  if (count <= kMostInLeaf) return;
-  const dvec3 extent = centres.upper - centres.lower;
-  const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-  const auto begin = triangles_.begin() + first;
-  const std::int32_t half = count / 2;
-  std::nth_element(begin, begin + half, begin + count, [&](const Triangle& a, const Triangle& b) {
-    return std::pair(centre(a)[axis], a) < std::pair(centre(b)[axis], b);
-  });
-  build(first, half);
-  nodes_[place].first = static_cast<std::int32_t>(nodes_.size());
-  nodes_[place].count = 0;
-  build(first + half, count - half);
-}
-
-MeshCrossings first_crossings(const Mesh& mesh, const LocalRay& ray, int touched) {
-  const double speed = glm::length(ray.direction);
-  const double way = (glm::length(ray.origin) + 2.0 * mesh.size()) / speed; // to its far side
-  const double margin = 4.0 * ray.shift_at(way, mesh.size());
-  const ShearedLine line(ray);
-  MeshCrossings found;
-  std::array<std::int32_t, 64> stack{}; // halving 2^31 triangles needs half of it
-  std::size_t top = 1;
-  while (top > 0) {
-    const std::int32_t place = stack[--top];
-    const Mesh::Node& node = mesh.nodes()[static_cast<std::size_t>(place)];
-    if (!meets(node.box, ray, margin, std::max(found.enter.t, found.exit.t))) continue;
-    if (node.count == 0) {
-      stack[top++] = place + 1;
-      stack[top++] = node.first;
-      continue;
-    }
-    for (int i = node.first; i < node.first + node.count; ++i) {
-      if (i == touched) continue;
-      const auto met = crossed(mesh, i, line);
-      if (!met) continue;
-      const double cosine = std::abs(glm::dot(outward_normal(mesh, {}, i), ray.direction));
-      if (cosine == 0.0) continue;
-      Root root{met->t, plane_root_error(ray, cosine, met->t, mesh.size()), {0, i}};
-      if (root.t < -root.t_error) continue;
-      root.t = std::max(0.0, root.t);
-      Root& first = met->outwards ? found.exit : found.enter;
-      if (before(root, first)) first = root;
-    }
-  }
-  return found;
+std::size_t Mesh::memory() const {
+  return sizeof(Data) + bytes(data_->vertices) + bytes(data_->triangles) +
+         bytes(data_->hierarchy.nodes);
 }
 
 dvec3 outward_normal(const Mesh& mesh, const dvec3&, int face) {
@@ -227,22 +242,18 @@ dvec3 snapped(const Mesh& mesh, const dvec3& point, int face) {
   return point - glm::dot(n, point - mesh.corner(face, 0)) * n;
 }
 
-int nearest_face(const Mesh& mesh, const dvec3& point) {
-  int nearest = 0;
-  double smallest = kInfinity;
-  for (int i = 0; i < static_cast<int>(mesh.triangles().size()); ++i) {
-    const double distance = squared_distance(mesh.corner(i, 0) - point, mesh.corner(i, 1) - point,
-                                             mesh.corner(i, 2) - point);
-    if (distance < smallest) {
-      smallest = distance;
-      nearest = i;
-    }
-  }
-  return nearest;
+int nearest_face(const Mesh& mesh, const LocalRay& ray, bool entering) {
+  return NearestFace(mesh, ray.origin, entering ? -ray.direction : ray.direction).face();
 }
 
 double signed_distance(const Mesh& mesh, const dvec3& point) {
   if (!mesh.is_closed()) return 1.0;
+  const MeshHierarchy& boxes = mesh.hierarchy();
+  bool outside = true;
+  for (std::size_t i = 0; i < 8; ++i)
+    if (boxes.nodes[0].holds(i) && squared_distance(boxes.bounds(boxes.nodes[0], i), point) == 0.0)
+      outside = false;
+  if (outside) return 1.0;
   double angle = 0.0; // 4 pi inside, 0 outside
   for (int i = 0; i < static_cast<int>(mesh.triangles().size()); ++i)
     angle += solid_angle(mesh.corner(i, 0) - point, mesh.corner(i, 1) - point,
@@ -251,12 +262,7 @@ double signed_distance(const Mesh& mesh, const dvec3& point) {
 }
 
 Bounds bounds(const Mesh& mesh, const Transform& to_world) {
-  Bounds box;
-  for (const dvec3& v : mesh.vertices()) {
-    const dvec3 p = to_world.point(v);
-    box = box.joined({p, p});
-  }
-  return box;
+  return placed_bounds(mesh, to_world, mesh.hierarchy().nodes[0], 2);
 }
 
 } // namespace abbe

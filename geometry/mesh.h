@@ -2,68 +2,80 @@
 
 #include "geometry/interval.h"
 #include "geometry/local_ray.h"
+#include "geometry/mesh_hierarchy.h"
 #include "geometry/transform.h"
 
 #include <array>
-#include <optional>
+#include <memory>
 #include <vector>
 
 namespace abbe {
 
-/// The corners of a triangle: indices into a mesh's vertices, counter-clockwise seen from outside.
-using Triangle = std::array<std::int32_t, 3>;
-
 /// A surface of triangles; face i is triangle i. Where each edge joins two triangles of one sense
-/// it is closed, and a solid.
+/// it is closed, and a solid. Copies share their vertices, triangles and hierarchy.
 class Mesh {
 public:
-  /// Vertices at the same place count as one; triangles without area are dropped. A closed mesh
-  /// that is inside out is turned. Throws std::invalid_argument when no triangle is left or an
-  /// index points nowhere.
+  /// Vertices at the same place count as one; triangles without area are dropped, the others get
+  /// an order of their own, as do the vertices. A closed mesh that is inside out is turned. Throws
+  /// std::invalid_argument when no triangle is left, an index points nowhere or a coordinate is
+  /// not finite.
   Mesh(const std::vector<dvec3>& vertices, const std::vector<Triangle>& triangles);
 
-  [[nodiscard]] const std::vector<dvec3>& vertices() const { return vertices_; }
-  [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
-  [[nodiscard]] bool is_closed() const { return closed_; }
+  [[nodiscard]] const std::vector<dvec3>& vertices() const { return data_->vertices; }
+  [[nodiscard]] const std::vector<Triangle>& triangles() const { return data_->triangles; }
+  [[nodiscard]] const MeshHierarchy& hierarchy() const { return data_->hierarchy; }
+  [[nodiscard]] bool is_closed() const { return data_->closed; }
   [[nodiscard]] const dvec3& corner(int triangle, int i) const {
     const auto t = static_cast<std::size_t>(triangle), c = static_cast<std::size_t>(i);
-    return vertices_[static_cast<std::size_t>(triangles_[t][c])];
+    return data_->vertices[static_cast<std::size_t>(data_->triangles[t][c])];
   }
+  [[nodiscard]] std::array<dvec3, 3> corners(int triangle) const {
+    return {corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)};
+  }
+  /// The sum of the triangles' areas, in the mesh's frame.
+  [[nodiscard]] double area() const { return data_->area; }
   /// The largest magnitude of a coordinate.
-  [[nodiscard]] double size() const { return size_; }
-
-  /// A box around triangles; a leaf holds the `count` from `first` on, else its halves are the next
-  /// node and the one at `first`.
-  struct Node {
-    Bounds box;
-    std::int32_t first = 0, count = 0;
-  };
-  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+  [[nodiscard]] double size() const { return data_->size; }
+  /// The bytes that copies share.
+  [[nodiscard]] std::size_t memory() const;
 
 private:
-  void build(std::int32_t first, std::int32_t count);
-
-  std::vector<dvec3> vertices_;
-  std::vector<Triangle> triangles_; ///< in the order of the leaves
-  std::vector<Node> nodes_;
-  double size_ = 0.0;
-  bool closed_ = false;
+  struct Data {
+    std::vector<dvec3> vertices;
+    std::vector<Triangle> triangles; ///< in the order of the hierarchy's leaves
+    MeshHierarchy hierarchy;
+    double size = 0.0, area = 0.0;
+    bool closed = false;
+  };
+  std::shared_ptr<const Data> data_;
 };
 
 /// Where a line crosses a mesh; of an open one, against its normal is entering.
 struct MeshCrossings {
   Root enter{kInfinity, 0.0, {}};
   Root exit{kInfinity, 0.0, {}};
+  int exits_less_entries = 0; ///< of `sum`
 };
 
-/// The first crossings of either kind that do not lie behind the origin by more than rounding.
-/// Triangle `touched` is not asked. Of lines close to an edge, exactly one of its triangles is met.
-[[nodiscard]] MeshCrossings first_crossings(const Mesh& mesh, const LocalRay& ray, int touched);
+/// What is asked of a mesh.
+enum class MeshSearch : std::uint8_t {
+  enter,  ///< the first entry; and the first exit, if one surely lies ahead and not beyond
+  exit,   ///< the first exit; and the first entry, likewise
+  either, ///< the first of all
+  sum     ///< how many exits surely lie ahead, less the entries: 1 inside a closed mesh, 0 outside
+};
+
+/// Crossings that do not lie behind the origin by more than rounding. Triangle `touched` is not
+/// asked. Of lines close to an edge, exactly one of its triangles is met.
+[[nodiscard]] MeshCrossings first_crossings(const Mesh& mesh, const LocalRay& ray, int touched,
+                                            MeshSearch search);
 
 [[nodiscard]] dvec3 outward_normal(const Mesh& mesh, const dvec3& point, int face);
 [[nodiscard]] dvec3 snapped(const Mesh& mesh, const dvec3& point, int face);
-[[nodiscard]] int nearest_face(const Mesh& mesh, const dvec3& point);
-/// Negative inside a closed mesh, else positive; only the sign has a meaning. Asks each triangle.
+/// The nearest triangle through which a ray from the point can leave, or with `entering` get in.
+[[nodiscard]] int nearest_face(const Mesh& mesh, const LocalRay& ray, bool entering);
+/// Negative inside a closed mesh, else positive; only the sign has a meaning. Asks each triangle
+/// where the point is not outside all boxes.
 [[nodiscard]] double signed_distance(const Mesh& mesh, const dvec3& point);
 [[nodiscard]] Bounds bounds(const Mesh& mesh, const Transform& to_world);
 

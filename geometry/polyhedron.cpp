@@ -8,10 +8,6 @@
 namespace abbe {
 namespace {
 
-Root root_with(const HalfSpace& plane, int face, const LocalRay& ray, double denom, double t) {
-  return {t, plane_root_error(ray, std::abs(denom), t, std::abs(plane.offset)), {0, face}};
-}
-
 /// How far apart points count as distinct: lengths that rounding of the planes cannot blur.
 double slack(const std::vector<HalfSpace>& planes) {
   double size = 0.0;
@@ -73,18 +69,6 @@ bool open_somewhere(const std::vector<HalfSpace>& planes) {
 
 } // namespace
 
-bool narrow(Interval& candidate, const HalfSpace& half_space, int face, const LocalRay& ray) {
-  const double denom = glm::dot(half_space.normal, ray.direction);
-  const double numer = half_space.offset - glm::dot(half_space.normal, ray.origin);
-  if (denom == 0.0) return numer >= 0.0;
-  const double t = numer / denom;
-  if (denom < 0.0 && t > candidate.enter.t)
-    candidate.enter = root_with(half_space, face, ray, denom, t);
-  if (denom > 0.0 && t < candidate.exit.t)
-    candidate.exit = root_with(half_space, face, ray, denom, t);
-  return candidate.enter.t <= candidate.exit.t;
-}
-
 ConvexPolyhedron::ConvexPolyhedron(std::vector<HalfSpace> half_spaces)
     : half_spaces_(std::move(half_spaces)) {
   for (HalfSpace& h : half_spaces_) {
@@ -108,25 +92,7 @@ ConvexPolyhedron thesis_prism() {
 
 std::optional<Interval> intersect(const ConvexPolyhedron& solid, const LocalRay& ray,
                                   const FaceContact* contact) {
-  const auto& planes = solid.half_spaces();
-  Interval inside;
-  if (contact) {
-    if (contact->side == Side::outside) return std::nullopt; // convex: never met again
-    // Known to be inside: every other face can only end the interval, never begin or empty it.
-    for (std::size_t i = 0; i < planes.size(); ++i) {
-      if (static_cast<int>(i) == contact->face) continue;
-      const double denom = glm::dot(planes[i].normal, ray.direction);
-      if (denom <= 0.0) continue;
-      const double t = (planes[i].offset - glm::dot(planes[i].normal, ray.origin)) / denom;
-      if (t < inside.exit.t) inside.exit = root_with(planes[i], static_cast<int>(i), ray, denom, t);
-    }
-    inside.enter = {0.0, 0.0, {0, contact->face}};
-    inside.exit.t = std::max(0.0, inside.exit.t);
-    return inside;
-  }
-  for (std::size_t i = 0; i < planes.size(); ++i)
-    if (!narrow(inside, planes[i], static_cast<int>(i), ray)) return std::nullopt;
-  return inside;
+  return with_errors(solid, ray, contact);
 }
 
 dvec3 outward_normal(const ConvexPolyhedron& solid, const dvec3&, int face) {

@@ -31,6 +31,8 @@ struct RayState {
 
 /// What a ray meets next.
 struct Hit {
+  Hit() {} // not `= default`: value-initialization would clear the lists' storage first
+
   double t = 0.0;       ///< distance from the ray's origin
   dvec3 point{0.0};     ///< on the surface
   dvec3 normal{0.0};    ///< unit, outwards from the shape

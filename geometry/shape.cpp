@@ -63,26 +63,31 @@ std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& 
 
 std::optional<ShapeCrossing> next_crossing(const Mesh& mesh, const LocalRay& ray,
                                            const ShapeState& state) {
-  const MeshCrossings found = first_crossings(mesh, ray, state.touching ? state.face.face : -1);
-  const Root& enter = found.enter;
-  const Root& exit = found.exit;
+  const int touched = state.touching ? state.face.face : -1;
   if (!mesh.is_closed()) {
-    const Root& first = enter.t <= exit.t ? enter : exit;
+    const MeshCrossings found = first_crossings(mesh, ray, touched, MeshSearch::either);
+    const Root& first = found.enter.t <= found.exit.t ? found.enter : found.exit;
     if (first.t == kInfinity) return std::nullopt;
-    return ShapeCrossing{first.t, first.t_error, first.face, &first == &enter};
+    return ShapeCrossing{first.t, first.t_error, first.face, &first == &found.enter};
   }
-  if (!state.inside) {
-    if (enter.t == kInfinity) return std::nullopt;
-    return ShapeCrossing{enter.t, enter.t_error, enter.face, true};
-  }
-  // Another part of the solid is entered first, or nothing comes: the way out was missed.
-  const bool missed = exit.t == kInfinity ||
-                      (enter.t > enter.t_error && enter.t + enter.t_error < exit.t - exit.t_error);
-  if (missed) {
-    const int face = state.touching ? state.face.face : nearest_face(mesh, ray.origin);
-    return ShapeCrossing{0.0, 0.0, {0, face}, false};
-  }
-  return ShapeCrossing{exit.t, exit.t_error, exit.face, false};
+  const MeshCrossings found =
+      first_crossings(mesh, ray, touched, state.inside ? MeshSearch::exit : MeshSearch::enter);
+  const Root& wanted = state.inside ? found.exit : found.enter;
+  const Root& other = state.inside ? found.enter : found.exit;
+  // Where a ray starts at an edge, rounding may put its line beside the triangle through which it
+  // should go at once. Then the next crossing is of the other kind, or no way leads out. If the two
+  // cannot be told apart, all crossings ahead decide.
+  const bool missed = [&] {
+    if (other.t == kInfinity) return state.inside && wanted.t == kInfinity;
+    if (other.t + other.t_error < wanted.t - wanted.t_error) return true;
+    if (wanted.t + wanted.t_error < other.t - other.t_error) return false;
+    const MeshCrossings all = first_crossings(mesh, ray, touched, MeshSearch::sum);
+    return (all.exits_less_entries > 0) != state.inside;
+  }();
+  if (missed)
+    return ShapeCrossing{0.0, 0.0, {0, nearest_face(mesh, ray, !state.inside)}, !state.inside};
+  if (wanted.t == kInfinity) return std::nullopt;
+  return ShapeCrossing{wanted.t, wanted.t_error, wanted.face, !state.inside};
 }
 
 } // namespace abbe

@@ -59,41 +59,67 @@ struct ShapeState {
   FaceId face;
 };
 
+// Finds the next crossing, see `next_crossing`, unless it lies at `farthest` or beyond. For the
+// innermost loops: the result is written to the caller's place.
+template <FlatShape S>
+[[nodiscard]] bool find_next(const S& shape, const RayInFrame auto& ray, const ShapeState& state,
+                             double farthest, ShapeCrossing& next) {
+  if (state.touching) return false; // never met again
+  const auto root = intersect(shape, ray, 0.0, farthest);
+  if (!root) return false;
+  next = {root->t, root->t_error, root->face, ray.direction.z < 0.0};
+  return true;
+}
+template <ConvexSolid S>
+[[nodiscard]] bool find_next(const S& solid, const RayInFrame auto& ray, const ShapeState& state,
+                             double farthest, ShapeCrossing& next) {
+  if (state.touching && !state.inside) return false; // convex: never met again
+  const FaceContact touched{state.face.face, Side::inside};
+  const FaceContact* contact = state.touching ? &touched : nullptr;
+  const auto inside = [&] {
+    if constexpr (PlaneFaced<S>)
+      return plane_interval(solid, ray, contact);
+    else
+      return intersect(solid, ray, contact);
+  }();
+  const auto bounded = [&](const auto& root) {
+    if constexpr (PlaneFaced<S>)
+      return with_error(solid, ray, root);
+    else
+      return root;
+  };
+  if (state.inside) {
+    // The exit is endless only for a ray that runs out through the face it should run in from.
+    if (!inside || inside->exit.t == kInfinity) {
+      next = {0.0, 0.0, {0, nearest_face(solid, ray.origin)}, false};
+      return true;
+    }
+    const Root exit = bounded(inside->exit);
+    next = {exit.t > 0.0 ? exit.t : 0.0, exit.t_error, exit.face, false};
+    return true;
+  }
+  if (!inside || inside->exit.t < 0.0 || inside->enter.t >= farthest) return false;
+  const Root enter = bounded(inside->enter);
+  // Behind the origin by no more than rounding, with the solid ahead: it is entered here.
+  if (enter.t < 0.0 && !(-enter.t <= enter.t_error && inside->exit.t > -enter.t)) return false;
+  next = {enter.t >= 0.0 ? enter.t : 0.0, enter.t_error, enter.face, true};
+  return true;
+}
+
 // The next crossing of one shape, t >= 0. A ray known to be inside always finds a way out: where
 // rounding leaves none, it is at t = 0 through the nearest face. A ray known to be outside only
-// enters. The root of the touched face is never computed.
+// enters; a mesh at t = 0 where its crossings ahead show that rounding has let the ray slip in. The
+// root of the touched face is never computed.
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& ray,
                                                          const ShapeState& state);
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const Mesh& mesh, const LocalRay& ray,
                                                          const ShapeState& state);
-template <FlatShape S>
+template <class S>
+requires FlatShape<S> || ConvexSolid<S>
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const S& shape, const LocalRay& ray,
                                                          const ShapeState& state) {
-  if (state.touching) return std::nullopt;
-  const auto root = intersect(shape, ray);
-  if (!root || root->t < 0.0) return std::nullopt;
-  return ShapeCrossing{root->t, root->t_error, root->face, ray.direction.z < 0.0};
-}
-template <ConvexSolid S>
-[[nodiscard]] std::optional<ShapeCrossing> next_crossing(const S& solid, const LocalRay& ray,
-                                                         const ShapeState& state) {
-  if (state.touching && !state.inside) return std::nullopt; // convex: never met again
-  const FaceContact contact{state.face.face, Side::inside};
-  const auto interval = intersect(solid, ray, state.touching ? &contact : nullptr);
-  if (state.inside) {
-    // The exit is endless only for a ray that runs out through the face it should run in from.
-    if (!interval || interval->exit.t == kInfinity)
-      return ShapeCrossing{0.0, 0.0, {0, nearest_face(solid, ray.origin)}, false};
-    const Root& exit = interval->exit;
-    return ShapeCrossing{exit.t > 0.0 ? exit.t : 0.0, exit.t_error, exit.face, false};
-  }
-  if (!interval) return std::nullopt;
-  const Root& enter = interval->enter;
-  if (enter.t >= 0.0) return ShapeCrossing{enter.t, enter.t_error, enter.face, true};
-  // Behind the origin by no more than rounding, with the solid ahead: it is entered here.
-  if (-enter.t <= enter.t_error && interval->exit.t > -enter.t)
-    return ShapeCrossing{0.0, enter.t_error, enter.face, true};
-  return std::nullopt;
+  ShapeCrossing next;
+  return find_next(shape, ray, state, kInfinity, next) ? std::optional(next) : std::nullopt;
 }
 
 } // namespace abbe

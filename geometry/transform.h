@@ -51,12 +51,21 @@ public:
   /// at most inverse_norm_ (|p| + |offset|). As much again, with the image of the unit cube in
   /// place of p, is what point() loses on the way out.
   [[nodiscard]] double inverse_error(const dvec3& p, double p_error) const {
-    return inverse_norm_ * (p_error + 8.0 * kRoundoff * (largest(p) + image_size_));
+    return way_error(inverse_norm_, p, p_error, image_size_);
   }
   /// The same for inverse_vector(v).
   [[nodiscard]] double inverse_vector_error(const dvec3& v, double v_error) const {
-    return inverse_norm_ * (v_error + 8.0 * kRoundoff * largest(v));
+    return way_error(inverse_norm_, v, v_error, 0.0);
   }
+  [[nodiscard]] static double way_error(double inverse_norm, const dvec3& v, double v_error,
+                                        double image_size) {
+    return inverse_norm * (v_error + 8.0 * kRoundoff * (largest(v) + image_size));
+  }
+
+  [[nodiscard]] const glm::dmat3& inverse_linear() const { return inverse_; }
+  [[nodiscard]] const dvec3& offset() const { return offset_; }
+  [[nodiscard]] double inverse_norm() const { return inverse_norm_; }
+  [[nodiscard]] double image_size() const { return image_size_; }
   /// Box around the mapped box.
   [[nodiscard]] Bounds box(const Bounds& bounds) const;
   /// Box around the mapped unit sphere, exact for every affine map.
@@ -66,7 +75,7 @@ public:
 
 private:
   [[nodiscard]] static double largest(const dvec3& v) {
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
   }
 
   glm::dmat3 linear_{1.0};

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <numbers>
 #include <stdexcept>
 
@@ -18,37 +20,56 @@ double bounds_padding(double farthest_coordinate) {
   return std::ldexp(farthest_coordinate, -20);
 }
 
-/// Where Embree's ray begins. One that starts far off, on an endless plane, begins where it comes
-/// near the bounded shapes: they lie in a ball of radius sqrt(3) R about the origin, and the place
-/// where the ray enters it has coordinates below sqrt(6) R < 2.5 R. Planes are met from anywhere.
-dvec3 near_origin(const Ray& ray, double farthest_coordinate) {
-  const dvec3& o = ray.origin;
-  if (std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)}) <= farthest_coordinate) return o;
-  const double advance = -glm::dot(o, ray.direction) - std::numbers::sqrt3 * farthest_coordinate;
-  return advance > 0.0 ? ray.at(advance) : o;
+/// Where Embree's ray begins if that is far off. One that starts on an endless plane, beyond the
+/// bounded shapes, begins where it comes near them: they lie in a ball of radius sqrt(3) R about
+/// the origin, and the place where the ray enters it has coordinates below sqrt(6) R < 2.5 R.
+/// Planes are met from anywhere.
+dvec3 moved_near(const Ray& ray, double farthest_coordinate) {
+  const double advance =
+      -glm::dot(ray.origin, ray.direction) - std::numbers::sqrt3 * farthest_coordinate;
+  return advance > 0.0 ? ray.at(advance) : ray.origin;
 }
 
-template <class Embree>
-void set_ray(Embree& out, unsigned i, const Ray& ray, double farthest_coordinate, float tfar) {
-  const auto at = [i](auto& field) -> auto& {
-    if constexpr (std::is_array_v<std::remove_reference_t<decltype(field)>>)
-      return field[i];
-    else
-      return field;
+dvec3 near_origin(const Ray& ray, double farthest_coordinate) {
+  const dvec3& o = ray.origin;
+  const double farthest = std::max(std::max(std::abs(o.x), std::abs(o.y)), std::abs(o.z));
+  return farthest <= farthest_coordinate ? o : moved_near(ray, farthest_coordinate);
+}
+
+/// A ray for Embree, written as it reads it: by four floats. Single stores would have to reach the
+/// cache before they could be read together.
+void set_ray(RTCRay& out, const Ray& ray, double farthest_coordinate, float tfar) {
+  using Floats = float __attribute__((vector_size(16)));
+  struct Vectors {
+    Floats origin_tnear, direction_time;
   };
+  const dvec3 o = near_origin(ray, farthest_coordinate);
+  const dvec3& d = ray.direction;
+  const Vectors vectors{__builtin_convertvector((Wide{o.x, o.y, o.z, 0.0}), Floats),
+                        __builtin_convertvector((Wide{d.x, d.y, d.z, 0.0}), Floats)};
+  static_assert(offsetof(RTCRay, tfar) == sizeof vectors);
+  std::memcpy(&out, &vectors, sizeof vectors);
+  out.tfar = tfar;
+  out.mask = ~0u;
+  out.id = 0;
+  out.flags = 0;
+}
+
+template <class Packet>
+void set_ray(Packet& out, unsigned i, const Ray& ray, double farthest_coordinate, float tfar) {
   const dvec3 origin = near_origin(ray, farthest_coordinate);
-  at(out.org_x) = static_cast<float>(origin.x);
-  at(out.org_y) = static_cast<float>(origin.y);
-  at(out.org_z) = static_cast<float>(origin.z);
-  at(out.dir_x) = static_cast<float>(ray.direction.x);
-  at(out.dir_y) = static_cast<float>(ray.direction.y);
-  at(out.dir_z) = static_cast<float>(ray.direction.z);
-  at(out.tnear) = 0.0f;
-  at(out.tfar) = tfar;
-  at(out.time) = 0.0f;
-  at(out.mask) = ~0u;
-  at(out.id) = i;
-  at(out.flags) = 0;
+  out.org_x[i] = static_cast<float>(origin.x);
+  out.org_y[i] = static_cast<float>(origin.y);
+  out.org_z[i] = static_cast<float>(origin.z);
+  out.dir_x[i] = static_cast<float>(ray.direction.x);
+  out.dir_y[i] = static_cast<float>(ray.direction.y);
+  out.dir_z[i] = static_cast<float>(ray.direction.z);
+  out.tnear[i] = 0.0f;
+  out.tfar[i] = tfar;
+  out.time[i] = 0.0f;
+  out.mask[i] = ~0u;
+  out.id[i] = i;
+  out.flags[i] = 0;
 }
 
 constexpr std::size_t kWidest = 16;
@@ -71,7 +92,7 @@ void trace_packet(RTCScene scene, Query& query, std::size_t count) {
 
 void trace_single(RTCScene scene, Query& query) {
   RTCRayHit ray;
-  set_ray(ray.ray, 0, query.states[0].ray, query.farthest_coordinate, rounded_up(query.distance));
+  set_ray(ray.ray, query.states[0].ray, query.farthest_coordinate, rounded_up(query.distance));
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   embree::intersect(scene, query.context, ray);
@@ -91,6 +112,7 @@ std::vector<PlacedShape> flattened(std::vector<PlacedShape> shapes) {
 
 struct World::Impl {
   std::vector<PlacedShape> shapes;
+  ShapeTable table;
   ShapeGroups groups;
   double farthest_coordinate; ///< of the bounded shapes, and of all places where rays begin
   std::string error;          ///< Embree's, while the world is built
@@ -107,13 +129,15 @@ struct World::Impl {
     embree::init(query.context);
     return query;
   }
-  [[nodiscard]] std::optional<Hit> closest(const RayState& state, double distance) const;
-  [[nodiscard]] std::optional<Hit>
-  first_visible(const RayState& start, const NearestCandidates& nearest, double distance) const;
+  // Both write what is met to `hit`: the caller's place, since a hit is large.
+  void closest(const RayState& state, double distance, std::optional<Hit>& hit) const;
+  void first_visible(const RayState& start, const NearestCandidates& nearest, double distance,
+                     std::optional<Hit>& hit) const;
+  void go_on_behind(const RayState& start, double distance, std::optional<Hit>& hit) const;
 };
 
 World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_origin)
-    : shapes(flattened(placed)), farthest_coordinate(farthest_origin),
+    : shapes(flattened(placed)), table(shapes), farthest_coordinate(farthest_origin),
       device(rtcNewDevice(nullptr)) {
   if (!device) throw std::runtime_error("Embree: cannot make a device");
   rtcSetDeviceErrorFunction(
@@ -125,9 +149,10 @@ World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_origin
   for (const PlacedShape& shape : shapes)
     if (is_bounded(shape.shape))
       farthest_coordinate = std::max(farthest_coordinate, bounds(shape).largest_coordinate());
-  groups.fill({&shapes, {}, bounds_padding(farthest_coordinate)});
+  groups.fill({{}, bounds_padding(farthest_coordinate)});
   for (std::size_t i = 0; i < shapes.size(); ++i)
-    groups[shapes[i].shape.index()].ids.push_back({static_cast<std::int32_t>(i)});
+    groups[shapes[i].shape.index()].primitives.emplace_back(shapes[i],
+                                                            ShapeId{static_cast<std::int32_t>(i)});
   scene.reset(rtcNewScene(device.get()));
   rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
   attach(groups, device.get(), scene.get());
@@ -135,38 +160,45 @@ World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_origin
   if (!error.empty()) throw std::runtime_error("Embree: " + error);
 }
 
-std::optional<Hit> World::Impl::closest(const RayState& state, double distance) const {
+void World::Impl::closest(const RayState& state, double distance, std::optional<Hit>& hit) const {
   NearestCandidates nearest;
   Query query = query_for(&state, &nearest, distance);
   trace_single(scene.get(), query);
-  return first_visible(state, nearest, distance);
+  first_visible(state, nearest, distance, hit);
 }
 
-/// Turns the nearest candidates into a hit; goes on behind boundaries that do not show. After
-/// very many of them, which only rounding among many touching faces could make, it returns one: a
-/// ray goes through it unchanged, since the media on its sides are equal.
-std::optional<Hit> World::Impl::first_visible(const RayState& start,
-                                              const NearestCandidates& nearest,
-                                              double distance) const {
-  if (nearest.empty()) return std::nullopt;
-  Boundary boundary = resolve(shapes, start, nearest.boundary());
-  if (boundary.visible) return boundary.hit;
+/// Turns the nearest candidates into a hit; goes on behind boundaries that do not show.
+void World::Impl::first_visible(const RayState& start, const NearestCandidates& nearest,
+                                double distance, std::optional<Hit>& hit) const {
+  if (nearest.empty())
+    hit.reset();
+  else if (!resolve(table, start, nearest.boundary(), hit.emplace()))
+    go_on_behind(start, distance, hit);
+}
+
+/// Goes on behind `hit`, which does not show, to the first boundary that does. After very many,
+/// which only rounding among many touching faces could make, it takes one that does not: a ray goes
+/// through it unchanged, since the media on its sides are equal.
+void World::Impl::go_on_behind(const RayState& start, double distance,
+                               std::optional<Hit>& hit) const {
   RayState state = start;
   double travelled = 0.0;
-  for (int passed_count = 0; !boundary.visible && passed_count < kMostPassed; ++passed_count) {
-    const Hit& passed = boundary.hit;
-    travelled += passed.t;
-    state.ray.origin = passed.point;
-    state.contacts = passed.other_side;
-    state.nesting = passed.nesting_after;
+  bool visible = false;
+  for (int passed_count = 0; !visible && passed_count < kMostPassed; ++passed_count) {
+    travelled += hit->t;
+    state.ray.origin = hit->point;
+    state.contacts = hit->other_side;
+    state.nesting = hit->nesting_after;
     NearestCandidates next;
     Query query = query_for(&state, &next, distance - travelled);
     trace_single(scene.get(), query);
-    if (next.empty()) return std::nullopt;
-    boundary = resolve(shapes, state, next.boundary());
+    if (next.empty()) {
+      hit.reset();
+      return;
+    }
+    visible = resolve(table, state, next.boundary(), hit.emplace());
   }
-  boundary.hit.t += travelled;
-  return boundary.hit;
+  hit->t += travelled;
 }
 
 World::World(const std::vector<PlacedShape>& shapes, double farthest_coordinate)
@@ -176,7 +208,9 @@ World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
 std::optional<Hit> World::closest(const RayState& state) const {
-  return impl_->closest(state, kInfinity);
+  std::optional<Hit> hit;
+  impl_->closest(state, kInfinity, hit);
+  return hit;
 }
 
 void World::closest(std::span<const RayState> states, std::span<std::optional<Hit>> hits,
@@ -185,7 +219,7 @@ void World::closest(std::span<const RayState> states, std::span<std::optional<Hi
     const std::size_t count = std::min(kWidest, states.size() - begin);
     if (tracing == Tracing::single || count == 1) {
       for (std::size_t i = begin; i < begin + count; ++i)
-        hits[i] = closest(states[i]);
+        impl_->closest(states[i], kInfinity, hits[i]);
       continue;
     }
     std::array<NearestCandidates, kWidest> nearest;
@@ -197,7 +231,7 @@ void World::closest(std::span<const RayState> states, std::span<std::optional<Hi
     else
       trace_packet<RTCRayHit16, 16>(impl_->scene.get(), query, count);
     for (std::size_t i = 0; i < count; ++i)
-      hits[begin + i] = impl_->first_visible(states[begin + i], nearest[i], kInfinity);
+      impl_->first_visible(states[begin + i], nearest[i], kInfinity, hits[begin + i]);
   }
 }
 
@@ -207,10 +241,13 @@ bool World::occluded(const RayState& state, double distance) const {
   // equal media may come first.
   query.glass_may_hide = medium_of(state.nesting).valid();
   RTCRay ray;
-  set_ray(ray, 0, state.ray, query.farthest_coordinate, rounded_up(distance));
+  set_ray(ray, state.ray, query.farthest_coordinate, rounded_up(distance));
   embree::occluded(impl_->scene.get(), query.context, ray);
   if (ray.tfar < 0.0f) return true;
-  return query.met_glass && impl_->closest(state, distance).has_value();
+  if (!query.met_glass) return false;
+  std::optional<Hit> hit;
+  impl_->closest(state, distance, hit);
+  return hit.has_value();
 }
 
 std::size_t World::replay_closest(std::span<const RayState> states, int width) const {
@@ -242,7 +279,7 @@ std::size_t World::replay_occluded(std::span<const RayState> states,
   for (std::size_t i = 0; i < states.size(); ++i) {
     Query query = impl_->query_for(&states[i], nullptr, distances[i]);
     RTCRay ray;
-    set_ray(ray, 0, states[i].ray, query.farthest_coordinate, rounded_up(distances[i]));
+    set_ray(ray, states[i].ray, query.farthest_coordinate, rounded_up(distances[i]));
     embree::occluded(impl_->scene.get(), query.context, ray);
     met += ray.tfar < 0.0f ? 1 : 0;
   }
@@ -257,7 +294,7 @@ Nesting World::nesting_at(const dvec3& point) const {
 }
 
 MediumId World::medium_of(const Nesting& nesting) const {
-  return abbe::medium_of(impl_->shapes, nesting);
+  return abbe::medium_of(impl_->table, nesting);
 }
 
 const std::vector<PlacedShape>& World::shapes() const {

@@ -17,33 +17,53 @@ bool contradicts(const S& shape, const LocalRay& ray, const SurfaceContact& cont
   return contact.side == Side::outside ? outwards < 0.0 : outwards > 0.0;
 }
 
-/// The ray in the frame of the shape. A tree's leaves are placed in the world already.
+/// The ray in the frame of the shape, with its bounds of error. A tree's leaves are placed in the
+/// world already.
 template <class S>
-LocalRay ray_for(const PlacedShape& placed, const Ray& ray) {
-  const LocalRay world{ray.origin, ray.direction};
+LocalRay ray_for(const Primitive& primitive, const Ray& ray) {
   if constexpr (std::is_same_v<S, CsgTree>)
-    return world;
+    return {ray.origin, ray.direction};
   else
-    return local_ray(placed.to_world, world);
+    return primitive.frame.see(ray).with_errors();
 }
 
+/// What a ray knows of a shape. True when a contact says that it crosses the surface at once, then
+/// written to `at_once`.
 template <class S>
-std::optional<ShapeCrossing> crossing(const PlacedShape& placed, ShapeId id,
-                                      const RayState& state) {
-  const S& shape = *std::get_if<S>(&placed.shape);
-  const LocalRay ray = ray_for<S>(placed, state.ray);
-  ShapeState known;
-  known.inside = std::find(state.nesting.begin(), state.nesting.end(), id) != state.nesting.end();
+bool crosses_contact(const Primitive& primitive, const RayState& state, ShapeState& known,
+                     ShapeCrossing& at_once) {
+  const ShapeId id = primitive.id;
+  if constexpr (!FlatShape<S>)
+    known.inside = std::find(state.nesting.begin(), state.nesting.end(), id) != state.nesting.end();
   for (const SurfaceContact& contact : state.contacts) {
     if (contact.shape != id) continue;
     const bool outside = contact.side == Side::outside;
     const bool first = &contact == state.contacts.begin();
-    if (!first && contradicts(shape, ray, contact))
-      return ShapeCrossing{0.0, 0.0, contact.face, outside};
+    if (!first && contradicts(*std::get_if<S>(&primitive.placed->shape),
+                              ray_for<S>(primitive, state.ray), contact)) {
+      at_once = {0.0, 0.0, contact.face, outside};
+      return true;
+    }
     known = {!outside, true, contact.face};
     break;
   }
-  return next_crossing(shape, ray, known);
+  return false;
+}
+
+/// What a ray meets next of a shape; it need not be found at `farthest` or beyond.
+template <class S>
+bool find_crossing(const Primitive& primitive, const RayState& state, double farthest,
+                   ShapeCrossing& found) {
+  ShapeState known;
+  if (crosses_contact<S>(primitive, state, known, found)) return true;
+  const S& shape = *std::get_if<S>(&primitive.placed->shape);
+  if constexpr (FlatShape<S> || PlaneFaced<S> || std::is_same_v<S, Sphere>) {
+    return find_next(shape, primitive.frame.see(state.ray), known, farthest, found);
+  } else {
+    const auto next = next_crossing(shape, ray_for<S>(primitive, state.ray), known);
+    if (next) found = *next;
+    return next.has_value();
+  }
 }
 
 bool surely_nearer(const ShapeCrossing& crossing, double distance) {
@@ -54,15 +74,15 @@ template <class S>
 void intersect_callback(const RTCIntersectFunctionNArguments* args) noexcept {
   const auto& group = *static_cast<const ShapeGroup*>(args->geometryUserPtr);
   const auto& query = *reinterpret_cast<const Query*>(args->context);
-  const ShapeId id = group.ids[args->primID];
-  const PlacedShape& placed = (*group.shapes)[id.index()];
+  const Primitive& primitive = group.primitives[args->primID];
   RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
   for (unsigned i = 0; i < args->N; ++i) {
     if (args->valid[i] != -1) continue;
     const unsigned ray = RTCRayN_id(rays, args->N, i);
-    const auto found = crossing<S>(placed, id, query.states[ray]);
-    if (!found || !surely_nearer(*found, query.distance)) continue;
-    if (!query.found[ray].offer({id, *found})) continue;
+    ShapeCrossing found;
+    if (!find_crossing<S>(primitive, query.states[ray], query.distance, found)) continue;
+    if (!surely_nearer(found, query.distance)) continue;
+    if (!query.found[ray].offer(primitive.id, found)) continue;
     float& tfar = RTCRayN_tfar(rays, args->N, i);
     tfar = std::min(tfar, rounded_up(query.found[ray].reach()));
   }
@@ -72,13 +92,14 @@ template <class S>
 void occluded_callback(const RTCOccludedFunctionNArguments* args) noexcept {
   const auto& group = *static_cast<const ShapeGroup*>(args->geometryUserPtr);
   auto& query = *reinterpret_cast<Query*>(args->context);
-  const ShapeId id = group.ids[args->primID];
-  const PlacedShape& placed = (*group.shapes)[id.index()];
+  const Primitive& primitive = group.primitives[args->primID];
   for (unsigned i = 0; i < args->N; ++i) {
     if (args->valid[i] != -1) continue;
-    const auto found = crossing<S>(placed, id, query.states[RTCRayN_id(args->ray, args->N, i)]);
-    if (!found || !surely_nearer(*found, query.distance)) continue;
-    if (query.glass_may_hide && placed.medium.valid())
+    const RayState& state = query.states[RTCRayN_id(args->ray, args->N, i)];
+    ShapeCrossing found;
+    if (!find_crossing<S>(primitive, state, query.distance, found)) continue;
+    if (!surely_nearer(found, query.distance)) continue;
+    if (query.glass_may_hide && primitive.glass)
       query.met_glass = true;
     else
       RTCRayN_tfar(args->ray, args->N, i) = -kFloatInfinity;
@@ -87,7 +108,7 @@ void occluded_callback(const RTCOccludedFunctionNArguments* args) noexcept {
 
 void bounds_callback(const RTCBoundsFunctionArguments* args) noexcept {
   const auto& group = *static_cast<const ShapeGroup*>(args->geometryUserPtr);
-  const Bounds box = bounds((*group.shapes)[group.ids[args->primID].index()]).grown(group.padding);
+  const Bounds box = bounds(*group.primitives[args->primID].placed).grown(group.padding);
   const auto down = [](double v) { return std::nextafter(static_cast<float>(v), -kFloatInfinity); };
   const auto up = [](double v) { return std::nextafter(static_cast<float>(v), kFloatInfinity); };
   RTCBounds& out = *args->bounds_o;
@@ -103,9 +124,9 @@ template <std::size_t Type>
 void attach_type(const ShapeGroups& groups, RTCDevice device, RTCScene scene) {
   using S = std::variant_alternative_t<Type, Shape>;
   const ShapeGroup& group = groups[Type];
-  if (group.ids.empty()) return;
+  if (group.primitives.empty()) return;
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(group.ids.size()));
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(group.primitives.size()));
   rtcSetGeometryUserData(geometry, const_cast<ShapeGroup*>(&group)); // read only, above
   rtcSetGeometryBoundsFunction(geometry, bounds_callback, nullptr);
   rtcSetGeometryIntersectFunction(geometry, intersect_callback<S>);
@@ -116,10 +137,6 @@ void attach_type(const ShapeGroups& groups, RTCDevice device, RTCScene scene) {
 }
 
 } // namespace
-
-float rounded_up(double value) {
-  return std::nextafter(static_cast<float>(value), kFloatInfinity);
-}
 
 void attach(const ShapeGroups& groups, RTCDevice device, RTCScene scene) {
   [&]<std::size_t... Type>(std::index_sequence<Type...>) {

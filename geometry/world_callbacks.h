@@ -1,19 +1,33 @@
 #pragma once
 
 #include "geometry/boundary.h"
+#include "geometry/frame.h"
 #include "geometry/world_embree.h"
 
 #include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
 #include <variant>
 #include <vector>
 
 namespace abbe {
 
+/// What a callback needs of a shape, close together.
+struct Primitive {
+  Primitive(const PlacedShape& shape, ShapeId number)
+      : frame(shape.to_world), placed(&shape), id(number), glass(shape.medium.valid()) {}
+
+  Frame frame;
+  const PlacedShape* placed;
+  ShapeId id;
+  bool glass;
+};
+
 /// One Embree geometry holds all shapes of one type, so a callback need not ask for the type.
 struct ShapeGroup {
-  const std::vector<PlacedShape>* shapes = nullptr;
-  std::vector<ShapeId> ids; ///< by Embree's primitive number
-  double padding = 0.0;     ///< what bounds grow by, for the float error of Embree's rays
+  std::vector<Primitive> primitives; ///< by Embree's number
+  double padding = 0.0;              ///< what bounds grow by, for the float error of Embree's rays
 };
 /// By the type's place in Shape.
 using ShapeGroups = std::array<ShapeGroup, std::variant_size_v<Shape>>;
@@ -31,7 +45,13 @@ struct Query {
 };
 
 /// A float not less than `value`.
-[[nodiscard]] float rounded_up(double value);
+[[nodiscard]] inline float rounded_up(double value) {
+  const float near = static_cast<float>(value);
+  if (near == std::numeric_limits<float>::infinity()) return near;
+  // The next float of a positive one has the next bits; nextafter is a call.
+  return near > 0.0f ? std::bit_cast<float>(std::bit_cast<std::uint32_t>(near) + 1)
+                     : std::nextafter(near, std::numeric_limits<float>::infinity());
+}
 
 /// Makes a geometry of every group that has shapes and attaches it. The groups must stay where
 /// they are.

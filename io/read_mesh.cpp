@@ -43,7 +43,7 @@ Mesh collected(const aiScene& scene) {
 
 } // namespace
 
-Mesh read_mesh(Arguments& arguments) {
+Mesh read_mesh(Arguments& arguments, MeshFiles& files) {
   const Token name = arguments.name_token("the name of a file");
   const fs::path file = fs::path(name.where.file).parent_path() / name.text;
   if (const std::string kind = file.extension().string();
@@ -52,17 +52,19 @@ Mesh read_mesh(Arguments& arguments) {
                     "its name ends neither in .obj nor in .ply",
                     "Give a file of one of these formats");
   std::error_code error;
-  if (!fs::is_regular_file(file, error))
+  const fs::path key = fs::canonical(file, error);
+  if (error || !fs::is_regular_file(key, error))
     throw ReadError(name.where, fmt::format("there is no file \"{}\"", file.string()),
                     "meshes are found relative to the file that names them",
                     "Check the name, or write the whole path");
+  if (const auto known = files.find(key); known != files.end()) return known->second;
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
   if (!scene)
     throw ReadError(name.where, fmt::format("\"{}\" cannot be understood", file.string()),
                     importer.GetErrorString(), "Write the mesh again, as OBJ or PLY");
   try {
-    return collected(*scene);
+    return files.emplace(key, collected(*scene)).first->second;
   } catch (const std::invalid_argument& fault) {
     throw ReadError(name.where, fmt::format("\"{}\" holds no surface", file.string()), fault.what(),
                     "Give a file with triangles or polygons");

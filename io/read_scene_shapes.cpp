@@ -3,7 +3,6 @@
 //   sphere
 //   push translate 3 0 0 scale 1 2 1 cube pop
 
-#include "io/read_mesh.h"
 #include "io/read_scene_state.h"
 
 #include <array>
@@ -63,7 +62,7 @@ void read_triangles(SceneState& state, Arguments& arguments) {
   if (state.boolean)
     throw ReadError(where, "mesh cannot be an operand", "booleans combine convex solids",
                     "Give it a place of its own, with a priority where it overlaps others");
-  Mesh mesh = read_mesh(arguments);
+  Mesh mesh = read_mesh(arguments, state.meshes);
   if (!mesh.is_closed() && is_transparent(state.material.finish))
     warn_at(state, where,
             "the mesh has no inside to fill (some edge does not join two triangles of one sense)");

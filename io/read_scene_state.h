@@ -2,6 +2,7 @@
 
 #include "core/scene.h"
 #include "io/read_arguments.h"
+#include "io/read_mesh.h"
 #include "io/read_scene_libraries.h"
 #include "io/token.h"
 #include "spectral/color.h"
@@ -60,6 +61,7 @@ struct Macro {
 struct SceneState {
   Scene scene;
   SceneLibraries libraries;
+  MeshFiles meshes;
   Warn warn;
 
   Transform transform;

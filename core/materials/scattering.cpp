@@ -20,7 +20,7 @@ double brought(const float* throughput, const float* factors, int first, int las
 }
 
 /// A direction with density cos / pi about z, by projecting a disc of concentric rings up
-/// [Shirley97; Malley88].
+/// [Shirley97].
 dvec3 cosine_direction(const dvec2& u) {
   const dvec2 d = 2.0 * u - 1.0;
   if (d.x == 0.0 && d.y == 0.0) return {0.0, 0.0, 1.0};

@@ -24,6 +24,21 @@ Nesting nesting(std::initializer_list<int> ids) {
   return found;
 }
 
+struct Boundary {
+  Hit hit;
+  bool visible = false;
+};
+
+Boundary resolved(const std::vector<PlacedShape>& shapes, const RayState& state,
+                  std::initializer_list<Candidate> candidates) {
+  NearestCandidates nearest;
+  for (const Candidate& c : candidates)
+    nearest.offer(c.shape, c.crossing);
+  Boundary boundary;
+  boundary.visible = resolve(ShapeTable(shapes), state, nearest.boundary(), boundary.hit);
+  return boundary;
+}
+
 } // namespace
 
 TEST_CASE("candidates: what rounding cannot tell apart is one boundary, in any order") {
@@ -36,7 +51,7 @@ TEST_CASE("candidates: what rounding cannot tell apart is one boundary, in any o
       std::swap(all[i - 1], all[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
     NearestCandidates nearest;
     for (const Candidate& c : all)
-      nearest.offer(c);
+      nearest.offer(c.shape, c.crossing);
     const auto boundary = nearest.boundary();
     REQUIRE(boundary.size() == 3);
     REQUIRE(boundary[0].shape.value == 2);
@@ -57,7 +72,7 @@ TEST_CASE("candidates: many offers, far ones first, lose none that belong") {
       std::swap(all[i - 1], all[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
     NearestCandidates nearest;
     for (const Candidate& c : all)
-      nearest.offer(c);
+      nearest.offer(c.shape, c.crossing);
     REQUIRE(nearest.boundary().size() == 3);
   }
 }
@@ -65,15 +80,16 @@ TEST_CASE("candidates: many offers, far ones first, lose none that belong") {
 TEST_CASE("medium_of: the highest priority, among equals the last, nothing from opaque solids") {
   std::vector<PlacedShape> shapes{glass(10), glass(11), glass(12, 5), glass(13, -1)};
   shapes.push_back({Box{}, {}, {1}, {}, 99});
-  REQUIRE_FALSE(medium_of(shapes, nesting({})).valid());
-  REQUIRE(medium_of(shapes, nesting({0})).value == 10);
-  REQUIRE(medium_of(shapes, nesting({1, 0})).value == 11);
-  REQUIRE(medium_of(shapes, nesting({2, 1, 0})).value == 12);
-  REQUIRE(medium_of(shapes, nesting({0, 1, 2})).value == 12);
-  REQUIRE(medium_of(shapes, nesting({3})).value == 13);
-  REQUIRE(medium_of(shapes, nesting({3, 0})).value == 10);
-  REQUIRE(medium_of(shapes, nesting({4, 3})).value == 13);
-  REQUIRE_FALSE(medium_of(shapes, nesting({4})).valid());
+  const ShapeTable table(shapes);
+  REQUIRE_FALSE(medium_of(table, nesting({})).valid());
+  REQUIRE(medium_of(table, nesting({0})).value == 10);
+  REQUIRE(medium_of(table, nesting({1, 0})).value == 11);
+  REQUIRE(medium_of(table, nesting({2, 1, 0})).value == 12);
+  REQUIRE(medium_of(table, nesting({0, 1, 2})).value == 12);
+  REQUIRE(medium_of(table, nesting({3})).value == 13);
+  REQUIRE(medium_of(table, nesting({3, 0})).value == 10);
+  REQUIRE(medium_of(table, nesting({4, 3})).value == 13);
+  REQUIRE_FALSE(medium_of(table, nesting({4})).valid());
 }
 
 TEST_CASE("resolve: what shows does not depend on rounding") {
@@ -83,10 +99,8 @@ TEST_CASE("resolve: what shows does not depend on rounding") {
   state.ray = {{0, 0, 0}, {0, 0, 1}};
   state.nesting = nesting({0});
   for (const double hair : {-1e-16, 0.0, 1e-16}) {
-    NearestCandidates nearest;
-    nearest.offer(at(0, 1.0, 1e-15, false));
-    nearest.offer(at(1, 1.0 + hair, 1e-15, true));
-    const Boundary b = resolve(shapes, state, nearest.boundary());
+    const Boundary b =
+        resolved(shapes, state, {at(0, 1.0, 1e-15, false), at(1, 1.0 + hair, 1e-15, true)});
     REQUIRE(b.visible);
     REQUIRE(b.hit.shape.value == 1); // defined last, as for medium_of
     REQUIRE(b.hit.material.value == 111);
@@ -109,10 +123,7 @@ TEST_CASE("resolve: equal media, higher priorities and opaque surfaces") {
   shapes.push_back({Square{}, {}, {7}, {}, 0});
   RayState state;
   const auto meet = [&](std::initializer_list<Candidate> candidates) {
-    NearestCandidates nearest;
-    for (const Candidate& c : candidates)
-      nearest.offer(c);
-    return resolve(shapes, state, nearest.boundary());
+    return resolved(shapes, state, candidates);
   };
   state.nesting = nesting({0});
   REQUIRE_FALSE(meet({at(0, 1, 0, false), at(1, 1, 0)}).visible); // the same glass goes on

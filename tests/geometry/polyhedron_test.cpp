@@ -25,7 +25,7 @@ std::optional<Interval> line(const dvec3& origin, const dvec3& direction) {
 TEST_CASE("candidate interval of the thesis's figure 12") {
   // Its ray enters plane one at 1.5, leaves plane two at 2.9 and plane three at 2.3.
   const LocalRay ray{{0, 0, 0}, {1, 0, 0}};
-  Interval candidate;
+  PlaneInterval candidate;
   REQUIRE(narrow(candidate, cut(1.5, -2.0), 1, ray));
   REQUIRE(candidate.enter.t == Approx(1.5).epsilon(1e-15));
   REQUIRE(candidate.exit.t == kInfinity);
@@ -35,17 +35,18 @@ TEST_CASE("candidate interval of the thesis's figure 12") {
   REQUIRE(narrow(candidate, cut(2.3, 3.0), 3, ray));
   REQUIRE(candidate.enter.t == Approx(1.5).epsilon(1e-15));
   REQUIRE(candidate.exit.t == Approx(2.3).epsilon(1e-15));
-  REQUIRE(candidate.enter.face.face == 1);
-  REQUIRE(candidate.exit.face.face == 3);
+  REQUIRE(candidate.enter.face == 1);
+  REQUIRE(candidate.exit.face == 3);
   REQUIRE_FALSE(narrow(candidate, cut(1.4, 1.0), 4, ray)); // nothing is left of it
 }
 
 TEST_CASE("a line parallel to a plane is wholly inside or outside") {
   const HalfSpace below{{0, 0, 1}, 1.0};
-  Interval candidate;
-  REQUIRE(narrow(candidate, below, 0, {{0, 0, 0.5}, {1, 0, 0}}));
-  REQUIRE(narrow(candidate, below, 0, {{0, 0, 1.0}, {1, 0, 0}})); // in the plane: it touches
-  REQUIRE_FALSE(narrow(candidate, below, 0, {{0, 0, 1.5}, {1, 0, 0}}));
+  PlaneInterval candidate;
+  REQUIRE(narrow(candidate, below, 0, LocalRay{{0, 0, 0.5}, {1, 0, 0}}));
+  REQUIRE(
+      narrow(candidate, below, 0, LocalRay{{0, 0, 1.0}, {1, 0, 0}})); // in the plane: it touches
+  REQUIRE_FALSE(narrow(candidate, below, 0, LocalRay{{0, 0, 1.5}, {1, 0, 0}}));
   REQUIRE(candidate.enter.t == -kInfinity);
   REQUIRE(candidate.exit.t == kInfinity);
 }

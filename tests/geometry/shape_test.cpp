@@ -37,17 +37,17 @@ TEST_CASE("next_crossing: a ray outside only enters, a ray inside only leaves") 
 
 TEST_CASE("next_crossing: where rounding leaves no way out, it is at once") {
   // Known to be inside, though the line runs past, or the exit lies behind.
-  const auto past = next_crossing(Sphere{}, {{1 + 1e-15, 0, 0}, {0, 0, 1}}, known(true));
+  const auto past = next_crossing(Sphere{}, LocalRay{{1 + 1e-15, 0, 0}, {0, 0, 1}}, known(true));
   REQUIRE(past);
   REQUIRE(past->t == 0.0);
   REQUIRE_FALSE(past->entering);
   REQUIRE(next_crossing(Sphere{}, along_z(1.0 + 1e-15), known(true))->t == 0.0);
-  const auto box = next_crossing(Box{}, {{1 + 1e-15, 0, 0}, {0, 0, 1}}, known(true));
+  const auto box = next_crossing(Box{}, LocalRay{{1 + 1e-15, 0, 0}, {0, 0, 1}}, known(true));
   REQUIRE(box);
   REQUIRE(box->t == 0.0);
   REQUIRE(box->face.face == 1);
   // Even a direction that contradicts its contact: straight out through the face it should leave.
-  const auto wrong = next_crossing(Box{}, {{1, 0, 0}, {1, 0, 0}}, touching(1, true));
+  const auto wrong = next_crossing(Box{}, LocalRay{{1, 0, 0}, {1, 0, 0}}, touching(1, true));
   REQUIRE(wrong);
   REQUIRE(wrong->t == 0.0);
 }

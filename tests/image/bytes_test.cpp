@@ -1,8 +1,12 @@
 #include "core/develop.h"
 #include "tests/catch.h"
+#include "tests/io/temporary_folder.h"
 #include "tests/render_text.h"
 
 #include <fmt/format.h>
+
+#include <fstream>
+#include <variant>
 
 using namespace abbe;
 
@@ -106,6 +110,28 @@ TEST_CASE("a crop shows the bytes of its part of the whole picture") {
         const auto in_whole = static_cast<std::size_t>((y * 40 + x) * 4 + c);
         REQUIRE(part.rgba[in_part] == whole.rgba[in_whole]);
       }
+}
+
+TEST_CASE("a mesh that is used again makes the bytes of a copy of its file") {
+  const test::Folder folder;
+  for (const char* name : {"a.obj", "b.obj"})
+    std::ofstream(folder.path / name)
+        << "v 1 0 0\nv -1 1 0\nv -1 -1 0\nv 0 0 1.5\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  const auto scene = [&](const std::string& second) {
+    const std::string text =
+        "imageSize 32 32 samples 4 eye 1 -3 6 fieldOfView 40 light D65 3 4 5 1\n"
+        "glass SF11 mesh a.obj push translate 0.5 1 -1 rotate 30 1 0 0 scale "
+        "1 -2 1 mesh " +
+        second + " pop defaultMaterials push translate 0 0 -3 scale 4 4 1 square pop";
+    return read_scene_text(text, folder.path / "s.sdl", [](const std::string&) {});
+  };
+  const Scene shared = scene("a.obj"), apart = scene("b.obj");
+  const auto data = [](const Scene& s, std::size_t i) {
+    return std::get<Mesh>(s.shapes[i].shape).vertices().data();
+  };
+  CHECK(data(shared, 0) == data(shared, 1));
+  CHECK(data(apart, 0) != data(apart, 1));
+  CHECK(picture(shared) == picture(apart));
 }
 
 namespace {

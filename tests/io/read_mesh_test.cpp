@@ -1,5 +1,6 @@
 #include "tests/io/read_scene_helpers.h"
 
+#include "geometry/world.h"
 #include "tests/catch.h"
 
 #include <fstream>
@@ -68,6 +69,27 @@ TEST_CASE("meshes in OBJ and PLY become solids where they are closed") {
   CHECK(contains(scene.shapes[1], {5.1, 0.1, 0.1}));
   CHECK_FALSE(contains(scene.shapes[1], {5.9, 0.9, 0.9}));
   CHECK(folder.warnings.empty());
+}
+
+TEST_CASE("a file that is named again shares its triangles, under whatever name") {
+  Folder folder;
+  folder.write("cube.obj", kCubeObj);
+  folder.write("copy.obj", kCubeObj);
+  folder.write("parts/part.sdl", "mesh ../cube.obj");
+  std::filesystem::create_symlink(folder.path / "cube.obj", folder.path / "link.obj");
+  const Scene scene =
+      folder.read("def block { mesh cube.obj } use block translate 3 0 0 use block "
+                  "mesh ./cube.obj mesh link.obj include parts/part.sdl mesh copy.obj");
+  REQUIRE(scene.shapes.size() == 6);
+  const auto vertices = [&](std::size_t i) {
+    return std::get<Mesh>(scene.shapes[i].shape).vertices().data();
+  };
+  for (std::size_t i = 1; i < 5; ++i)
+    CHECK(vertices(i) == vertices(0));
+  CHECK(vertices(5) != vertices(0));
+  const World world(scene.shapes, 10.0);
+  CHECK(std::get<Mesh>(world.shapes()[3].shape).vertices().data() == vertices(0));
+  CHECK(contains(world.shapes()[2], {3.9, 0.9, 0.9}));
 }
 
 TEST_CASE("glass in an open mesh is a warning") {
