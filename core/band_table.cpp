@@ -28,4 +28,14 @@ BandTable BandTable::at_wavelengths(const std::vector<double>& nm, const Curve& 
   return BandTable(values);
 }
 
+BandTable BandTable::plus(float addend, int bands) const {
+  if (constant_) return {*constant_ + addend, bands};
+  BandTable sum = *this;
+  for (int b = 0; b < bands; ++b)
+    sum.values_[static_cast<std::size_t>(b)] += addend;
+  sum.zero_ =
+      std::all_of(sum.values_.begin(), sum.values_.end(), [](float v) { return v == 0.0f; });
+  return sum;
+}
+
 } // namespace abbe

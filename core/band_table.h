@@ -34,6 +34,9 @@ public:
   [[nodiscard]] static BandTable at_wavelengths(const std::vector<double>& nm, const Curve& curve,
                                                 bool keep_constant);
 
+  /// The same with a number added in every one of its bands.
+  [[nodiscard]] BandTable plus(float addend, int bands) const;
+
   [[nodiscard]] bool zero() const { return zero_; }
   [[nodiscard]] std::optional<float> constant() const { return constant_; }
   [[nodiscard]] float operator[](int band) const { return values_[static_cast<std::size_t>(band)]; }

@@ -14,6 +14,7 @@ struct Bundle {
   std::optional<Hit> hit;   ///< what the ray meets next; a ray is traced before its bundle is kept
   int depth = 0;            ///< surfaces met so far
   double path_length = 0.0; ///< from the camera to the ray's origin
+  double passed = 0.0;      ///< of the ray before its origin, through boundaries that are not seen
   /// With which the ray's direction was chosen where it was last spread, per steradian; 0 when it
   /// comes straight from a mirror, a refracting surface, or the camera.
   double density = 0.0;

@@ -2,6 +2,7 @@
 
 #include "core/lights/emission.h"
 #include "core/lights/sampled_surface.h"
+#include "core/plan_drops.h"
 #include "core/plan_extent.h"
 #include "core/plan_lines.h"
 #include "core/plan_surfaces.h"
@@ -86,6 +87,14 @@ MaterialPlan planned_mixture(const Plan& plan, const Mixture& mixture) {
   return m;
 }
 
+bool is_clear(const Material& material) {
+  const auto absent = [](const Curve& part) { return part.constant_value() == 0.0; };
+  return material.transparency.constant_value() == 1.0 && absent(material.reflectivity) &&
+         absent(material.ambient) && absent(material.diffuse) && absent(material.specular) &&
+         absent(material.emission) && material.roughness == 0.0 && !material.film &&
+         !material.coat && !material.texture && !material.mixture;
+}
+
 void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
   const RenderSettings& settings = plan.settings;
   const std::vector<double> nm = table_wavelengths(plan);
@@ -122,6 +131,7 @@ void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
       m.lit = true;
     }
     m.emits_behind = material.emits_behind;
+    m.clear = is_clear(material);
     if (material.emission.constant_value() != 0.0)
       m.emission_source = sources.add(material.emission);
     if (material.mixture) m = planned_mixture(plan, *material.mixture);
@@ -137,6 +147,12 @@ void plan_media(const Scene& scene, Plan& plan) {
     m.absorption_per_unit = BandTable::at_wavelengths(
         table_wavelengths(plan), medium.absorption_per_mm.scaled(scene.mm_per_unit),
         plan.settings.skip);
+    if (medium.drops && medium.drops->extinction_per_mm > 0.0) {
+      m.drops = plan_drops(scene, plan, *medium.drops);
+      m.absorption_per_unit = m.absorption_per_unit.plus(
+          static_cast<float>(m.drops->extinction_per_unit), plan.grid.count());
+      plan.has_drops = true;
+    }
     m.absorbs = !m.absorption_per_unit.zero();
     plan.media.push_back(std::move(m));
   }
@@ -259,6 +275,8 @@ void note_content(const Scene& scene, Plan& plan) {
       plan.notes.push_back(
           fmt::format("{}: n_d {:.5f}, V_d {:.2f}", medium.name.empty() ? "a medium" : medium.name,
                       refractive_index(medium.index, kLineD_nm), abbe_number(medium.index)));
+  for (const Medium& medium : scene.media)
+    if (medium.drops) plan.notes.push_back(note_of(*medium.drops));
   const bool refracts = std::any_of(plan.materials.begin(), plan.materials.end(),
                                     [](const MaterialPlan& m) { return m.transmits; });
   if (!refracts)

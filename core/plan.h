@@ -5,6 +5,7 @@
 #include "core/lights/environment_map.h"
 #include "core/materials/albedo_table.h"
 #include "core/materials/texture_plan.h"
+#include "core/media/drop_phase_function.h"
 #include "core/scene.h"
 #include "geometry/ray_state.h"
 #include "spectral/color.h"
@@ -45,6 +46,7 @@ struct MaterialPlan {
   bool dielectric = false; ///< lets light in, so reflection too goes by its index
   bool reflects = false, transmits = false, lit = false; ///< what paths follow
   bool emits_behind = true;
+  bool clear = false;       ///< lets everything through and adds nothing
   int emission_source = -1; ///< index into Plan::sources; negative: emits nothing
   int texture = -1;         ///< index into TexturePlans::textures; negative: `diffuse` holds
   /// Of a mixture only the flags count, which are those of either part; see part_of.
@@ -59,11 +61,19 @@ struct MaterialPlan {
   }
 };
 
+/// Drops at the bands. A phase function is there where the scene has such lamps.
+struct DropsPlan {
+  double extinction_per_unit = 0.0;            ///< per scene unit of length
+  std::optional<DropPhaseFunction> under_sun;  ///< for parallel light
+  std::optional<DropPhaseFunction> under_lamp; ///< for lamps at a place
+};
+
 /// A medium at the bands.
 struct MediumPlan {
   IndexTable index;
-  BandTable absorption_per_unit; ///< per scene unit of length
+  BandTable absorption_per_unit; ///< per scene unit of length, with what drops take out of a ray
   bool absorbs = false;
+  std::optional<DropsPlan> drops;
 };
 
 /// A block of pixels rendered by one thread at a time.
@@ -98,6 +108,7 @@ struct Plan {
   std::vector<MediumPlan> media; ///< by MediumId
   MediumPlan vacuum;
   std::vector<IndexTable> layers; ///< of thin films and coats
+  bool has_drops = false;         ///< some medium has
 
   PixelWindow window; ///< what is rendered
   std::vector<Tile> tiles;
@@ -119,6 +130,14 @@ struct Plan {
   /// The wavelength at that place of bands [first, last) taken as one.
   [[nodiscard]] double shared_wavelength_nm(int first, int last, double offset) const {
     return grid.lower_nm(first) + offset * (grid.width_nm() * (last - first));
+  }
+
+  /// True for a boundary between air and drops, or drops and other drops, that is not to be seen.
+  [[nodiscard]] bool unseen(const Hit& hit) const {
+    if (!has_drops) return false;
+    const auto airy = [this](MediumId id) { return !id.valid() || media[id.index()].drops; };
+    return materials[hit.material.index()].clear && airy(hit.medium_before) &&
+           airy(hit.medium_after);
   }
 
   static constexpr int kBackground = 0, kAmbient = 1;

@@ -42,6 +42,8 @@ enum SamplePurpose : std::uint32_t {
   kPixelPosition = 0,
   kWavelength = 1,        ///< x: place inside the band, y: which band of a stratum is kept
   kLens = 2,              ///< where on the lens
+  kDropPlace = 6,         ///< x: where drops on the way are looked at, y: which lamp lights them
+  kDropLamp = 7,          ///< a point on it
   kEmissionPoint = 4,     ///< where a light path begins on its lamp
   kEmissionDirection = 5, ///< and where it goes
   // From here on purposes repeat for each surface along a path, `kPerSurface` apart.

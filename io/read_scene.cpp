@@ -35,9 +35,9 @@ const std::vector<SceneKeyword>& all_keywords() {
     std::vector<SceneKeyword> rows;
     for (const auto& table :
          {setting_keywords(), display_keywords(), camera_keywords(), camera_lens_keywords(),
-          transform_keywords(), material_keywords(), surface_keywords(), texture_keywords(),
-          mixture_keywords(), light_keywords(), light_path_keywords(), shape_keywords(),
-          lens_keywords(), boolean_keywords(), macro_keywords()})
+          transform_keywords(), material_keywords(), surface_keywords(), drop_keywords(),
+          texture_keywords(), mixture_keywords(), light_keywords(), light_path_keywords(),
+          shape_keywords(), lens_keywords(), boolean_keywords(), macro_keywords()})
       rows.insert(rows.end(), table.begin(), table.end());
     return rows;
   }();

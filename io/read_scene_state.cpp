@@ -21,8 +21,8 @@ auto members(const Material& m) {
 }
 
 auto members(const Medium& m) {
-  const auto& [name, index, absorption] = m;
-  return std::tie(name, index, absorption);
+  const auto& [name, index, absorption, drops] = m;
+  return std::tie(name, index, absorption, drops);
 }
 
 /// The index of `value` in `values`, where it is added unless it is there. The search begins at
@@ -47,6 +47,10 @@ ReadError not_positive(const SourcePosition& where, const Medium& medium) {
 MediumId medium_id(SceneState& state, const SourcePosition& where, const Medium& medium) {
   for (double lambda_nm = kLowerNm; lambda_nm <= kUpperNm; lambda_nm += kSampleStepNm)
     if (!(refractive_index(medium.index, lambda_nm) > 0.0)) throw not_positive(where, medium);
+  if (medium.drops &&
+      !(is_achromatic(medium.index) && refractive_index(medium.index, kLowerNm) == 1.0))
+    throw ReadError(where, "drops hang in something with an index other than 1",
+                    "they are known in air only", "Remove speedOfLight and vnum behind drops");
   return {index_of(state.scene.media, medium)};
 }
 

@@ -119,6 +119,7 @@ struct SceneKeyword {
 [[nodiscard]] std::span<const SceneKeyword> texture_keywords();
 [[nodiscard]] std::span<const SceneKeyword> mixture_keywords();
 [[nodiscard]] std::span<const SceneKeyword> surface_keywords();
+[[nodiscard]] std::span<const SceneKeyword> drop_keywords();
 [[nodiscard]] std::span<const SceneKeyword> light_keywords();
 [[nodiscard]] std::span<const SceneKeyword> light_path_keywords();
 [[nodiscard]] std::span<const SceneKeyword> shape_keywords();

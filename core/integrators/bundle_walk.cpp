@@ -98,6 +98,7 @@ bool BundleWalk::leave(const dvec3& direction, bool through, RayKind kind) {
   bundle_.state.nesting = through ? hit.nesting_after : hit.nesting_before;
   bundle_.position_spread += bundle_.direction_spread * hit.t;
   bundle_.path_length += hit.t;
+  bundle_.passed = 0.0;
   ++bundle_.depth;
   bundle_.hit = world_.closest(bundle_.state);
   counts_->add(kind, bundle_.state);

@@ -1,6 +1,7 @@
 #include "core/integrators/light_paths.h"
 
 #include "core/integrators/absorption.h"
+#include "core/integrators/unseen_boundary.h"
 
 #include <algorithm>
 #include <array>
@@ -35,7 +36,7 @@ FilteredPixel filtered_pixel(PixelFilter filter, double place, double u) {
 
 LightPaths::LightPaths(const Plan& plan, const World& world, const CameraRays* camera, Film& film)
     : BundleWalk(plan, world, camera ? camera->pixel_angle() : 0.0, Transport::flux),
-      camera_(camera), film_(film), sums_(plan), light_(plan.stride) {}
+      camera_(camera), film_(film), to_camera_(plan, world), sums_(plan), light_(plan.stride) {}
 
 void LightPaths::trace(const EmittedRay& ray, const Sampler& sampler, double share,
                        PhotonBatch* photons, double photon_share, RayCounts& counts) {
@@ -72,9 +73,19 @@ void LightPaths::follow() {
     if (!go_on()) return;
 }
 
+bool LightPaths::arrive() {
+  for (;;) {
+    const Hit& hit = *bundle_.hit;
+    absorb(plan_.medium(hit.medium_before), hit.t, bundle_.first, bundle_.last, throughput_.data());
+    if (!plan_.unseen(hit)) return true;
+    pass_unseen_boundary(bundle_, world_, *counts_);
+    if (!bundle_.hit) return false;
+  }
+}
+
 bool LightPaths::go_on() {
+  if (!arrive()) return false;
   const Hit& hit = *bundle_.hit;
-  absorb(plan_.medium(hit.medium_before), hit.t, bundle_.first, bundle_.last, throughput_.data());
   const MaterialPlan& material = find_material();
   // Light that is spread at once is the camera paths' to find.
   if (bundle_.depth == 0 && !material.specular_part()) return false;
@@ -121,12 +132,21 @@ void LightPaths::splat(const Hit& hit) {
   const RayState to_eye{{hit.point, direction},
                         through ? hit.other_side : hit.same_side,
                         through ? hit.nesting_after : hit.nesting_before};
-  counts_->add_any_hit(RayKind::shadow, to_eye, distance);
-  if (world_.occluded(to_eye, distance)) return;
+  const float* arriving = nullptr;
+  if (plan_.has_drops) {
+    arriving = to_camera_.transmittance(to_eye, distance, bundle_.first, bundle_.last, wavelengths_,
+                                        *counts_);
+    if (!arriving) return;
+  } else {
+    counts_->add_any_hit(RayKind::shadow, to_eye, distance);
+    if (world_.occluded(to_eye, distance)) return;
+  }
   for (int b = bundle_.first; b < bundle_.last; ++b)
-    light_[static_cast<std::size_t>(b)] *= throughput_[static_cast<std::size_t>(b)];
-  absorb(plan_.medium(through ? hit.medium_after : hit.medium_before), distance, bundle_.first,
-         bundle_.last, light_.data());
+    light_[static_cast<std::size_t>(b)] *=
+        throughput_[static_cast<std::size_t>(b)] * (arriving ? arriving[b] : 1.0f);
+  if (!arriving)
+    absorb(plan_.medium(through ? hit.medium_after : hit.medium_before), distance, bundle_.first,
+           bundle_.last, light_.data());
   const double cos_c = -glm::dot(direction, camera_->forward());
   const double area = camera_->pixel_angle() * camera_->pixel_angle();
   const double weight =

@@ -4,6 +4,7 @@
 #include "core/film.h"
 #include "core/integrators/bundle_walk.h"
 #include "core/integrators/photon_map.h"
+#include "core/integrators/shadow.h"
 #include "core/lights/emission.h"
 #include "core/radiance_sums.h"
 
@@ -25,11 +26,15 @@ public:
 private:
   void follow();
   bool go_on();
+  /// Takes the bundle to what its ray meets, with what the way absorbs. False where that is
+  /// nothing.
+  bool arrive();
   void splat(const Hit& hit);
   void keep(const Hit& hit);
 
   const CameraRays* camera_;
   Film& film_;
+  ShadowRays to_camera_;
   RadianceSums sums_;
   std::vector<float> light_; ///< scratch
   int source_ = 0;

@@ -1,7 +1,5 @@
 #include "core/integrators/path.h"
 
-#include "core/integrators/absorption.h"
-
 #include <algorithm>
 
 namespace abbe {
@@ -12,11 +10,12 @@ Path::Path(const Plan& plan, const World& world, const Lamps& lamps,
       photons_(light_passes ? &light_passes->map() : nullptr),
       emission_(light_passes ? &light_passes->emission() : nullptr),
       found_otherwise_(light_passes || plan.settings.shadows == ShadowRule::attenuated),
-      shadow_rays_(plan, world), light_(plan.stride) {}
+      shadow_rays_(plan, world), single_scatter_(lamps, plan, world), light_(plan.stride) {}
 
 void Path::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
                  RayCounts& counts) {
   begin(sampler, counts);
+  single_scatter_.begin_path(sampler);
   sums_ = &sums;
   for (std::size_t i = 0; i < start.count; ++i) {
     bundle_ = start.bundle(i);
@@ -37,21 +36,21 @@ void Path::follow() {
 
 void Path::gather() {
   const int first = bundle_.first, last = bundle_.last;
+  single_scatter_.arrive(bundle_, throughput_.data(), wavelengths_, *sums_, *counts_);
   if (!bundle_.hit) {
-    absorb(plan_.medium(world_.medium_of(bundle_.state.nesting)), kInfinity, first, last,
-           throughput_.data());
     const bool suns = !comes_by_mirrors_and_glass() || !found_otherwise_;
     lamps_.add_sky(bundle_.state.ray.direction, bundle_.density, suns, throughput_.data(), first,
                    last, *sums_);
     return;
   }
   const Hit& hit = *bundle_.hit;
-  absorb(plan_.medium(hit.medium_before), hit.t, first, last, throughput_.data());
   const MaterialPlan& material = find_material();
   if (!material.emits(hit) || found_otherwise(hit)) return;
   double weight = 1.0;
-  if (bundle_.density > 0.0)
-    weight = bundle_.density / (bundle_.density + lamps_.density(bundle_.state.ray.origin, hit));
+  if (bundle_.density > 0.0) {
+    const dvec3 spread_at = bundle_.state.ray.at(-bundle_.passed);
+    weight = bundle_.density / (bundle_.density + lamps_.density(spread_at, hit));
+  }
   sums_->add(material.emission_source, throughput_.data(), ones_, static_cast<float>(weight), first,
              last);
 }

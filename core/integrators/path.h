@@ -3,6 +3,7 @@
 #include "core/integrators/bundle_walk.h"
 #include "core/integrators/integrator.h"
 #include "core/integrators/shadow.h"
+#include "core/integrators/single_scatter.h"
 #include "core/light_pass.h"
 #include "core/lights/lamps.h"
 
@@ -44,6 +45,7 @@ private:
   const Emission* emission_;
   bool found_otherwise_; ///< whether light by mirrors and glass from lamps is
   ShadowRays shadow_rays_;
+  SingleScatter single_scatter_;
   RadianceSums* sums_ = nullptr;
   std::vector<float> light_; ///< scratch: what one source gives
 };

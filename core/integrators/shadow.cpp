@@ -17,16 +17,16 @@ const float* ShadowRays::transmittance(const RayState& towards_lamp, double dist
   case ShadowRule::none:
     return ones_.data();
   case ShadowRule::opaque:
+    if (plan_.has_drops) break; // they are in the way, and stop no ray
     counts.add_any_hit(RayKind::shadow, towards_lamp, distance);
     return world_.occluded(towards_lamp, distance) ? nullptr : ones_.data();
   case ShadowRule::automatic: // never in a plan
   case ShadowRule::attenuated:
-    std::fill(transmittance_.begin(), transmittance_.end(), 1.0f);
-    return attenuate(towards_lamp, distance, first, last, wavelengths, counts)
-               ? transmittance_.data()
-               : nullptr;
+    break;
   }
-  return nullptr;
+  std::fill(transmittance_.begin(), transmittance_.end(), 1.0f);
+  return attenuate(towards_lamp, distance, first, last, wavelengths, counts) ? transmittance_.data()
+                                                                             : nullptr;
 }
 
 bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
@@ -39,11 +39,15 @@ bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
     absorb(plan_.medium(medium), way, first, last, transmittance_.data());
     if (!hit || hit->t >= distance) return true;
     const MaterialPlan& material = plan_.materials[hit->material.index()];
-    if (!material.transmits) return false;
-    // The path tracer finds what comes through rough glass by scattering.
-    if (material.roughness > 0.0 && plan_.settings.integrator == Integrator::path) return false;
-    const double cos_i = std::min(1.0, std::abs(glm::dot(hit->normal, state.ray.direction)));
-    pass(material, *hit, cos_i, first, last, wavelengths, transmittance_);
+    // The way may end on a lamp that glows; whether it does, rounding must not decide.
+    if (material.emission_source >= 0 && !world_.occluded(state, distance)) return true;
+    if (!plan_.unseen(*hit)) {
+      if (!material.transmits || plan_.settings.shadows == ShadowRule::opaque) return false;
+      // The path tracer finds what comes through rough glass by scattering.
+      if (material.roughness > 0.0 && plan_.settings.integrator == Integrator::path) return false;
+      const double cos_i = std::min(1.0, std::abs(glm::dot(hit->normal, state.ray.direction)));
+      pass(material, *hit, cos_i, first, last, wavelengths, transmittance_);
+    }
     state.ray.origin = hit->point;
     state.contacts = hit->other_side;
     state.nesting = hit->nesting_after;

@@ -20,6 +20,7 @@ public:
                                            RayCounts& counts);
 
 private:
+  /// False where nothing arrives.
   [[nodiscard]] bool attenuate(RayState state, double distance, int first, int last,
                                PathWavelengths& wavelengths, RayCounts& counts);
   void pass(const MaterialPlan& material, const Hit& hit, double cos_i, int first, int last,

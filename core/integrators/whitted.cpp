@@ -1,6 +1,5 @@
 #include "core/integrators/whitted.h"
 
-#include "core/integrators/absorption.h"
 #include "core/lights/illumination.h"
 #include "core/materials/coated_diffuse.h"
 #include "core/materials/conductor.h"
@@ -25,7 +24,8 @@ constexpr double kSurePart = 1.0 / 8.0;
 Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
                  double pixel_angle)
     : scene_(scene), plan_(plan), world_(world), lamps_(lamps), wavelengths_(plan),
-      fan_(plan, world, pixel_angle), shadow_rays_(plan, world), ones_(1.0f, plan.grid.count()),
+      fan_(plan, world, pixel_angle), shadow_rays_(plan, world),
+      single_scatter_(scene, plan, world), ones_(1.0f, plan.grid.count()),
       textured_(0.0f, plan.grid.count()), throughput_(plan.stride), lit_(plan.stride),
       coated_(plan.stride) {
   scatter_.reflected.resize(plan.stride);
@@ -45,14 +45,16 @@ void Whitted::trace(const CameraPaths& start, const Sampler& sampler, RadianceSu
                     RayCounts& counts) {
   const dvec2 u = sampler.pair(kWavelength);
   decisions_ = sampler.decisions();
+  single_scatter_.begin_path(sampler);
   wavelengths_.begin_path(plan_.settings.jitter ? u.x : 0.5);
   for (std::size_t i = 0; i < start.count; ++i)
     push(start.bundle(i), plan_.live.data(), start.bundles[i].weight);
   while (!waiting_.empty()) {
-    const Bundle bundle = waiting_.back();
+    Bundle bundle = waiting_.back();
     const float* stored = row(waiting_.size() - 1);
     std::copy(stored + bundle.first, stored + bundle.last, throughput_.begin() + bundle.first);
     waiting_.pop_back();
+    single_scatter_.arrive(bundle, throughput_.data(), wavelengths_, sums, counts);
     if (!bundle.hit) {
       add_background(bundle, sums);
       continue;
@@ -65,8 +67,6 @@ void Whitted::trace(const CameraPaths& start, const Sampler& sampler, RadianceSu
 }
 
 void Whitted::add_background(const Bundle& bundle, RadianceSums& sums) {
-  absorb(plan_.medium(world_.medium_of(bundle.state.nesting)), kInfinity, bundle.first, bundle.last,
-         throughput_.data());
   lamps_.add_sky(bundle.state.ray.direction, 0.0, true, throughput_.data(), bundle.first,
                  bundle.last, sums);
 }
@@ -77,7 +77,6 @@ void Whitted::shade(const Bundle& bundle, const MaterialPlan& material, Radiance
     sums.add(source, throughput_.data(), factor, 1.0f, bundle.first, bundle.last);
   };
   const Hit& hit = *bundle.hit;
-  absorb(plan_.medium(hit.medium_before), hit.t, bundle.first, bundle.last, throughput_.data());
   if (material.emits(hit)) add(material.emission_source, ones_);
   if (!material.ambient.zero()) add(Plan::kAmbient, material.ambient);
   if (material.lit) add_lamps(bundle, material, sums, counts);

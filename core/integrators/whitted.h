@@ -3,6 +3,7 @@
 #include "core/fan.h"
 #include "core/integrators/integrator.h"
 #include "core/integrators/shadow.h"
+#include "core/integrators/single_scatter.h"
 #include "core/lights/lamps.h"
 #include "core/materials/dielectric.h"
 
@@ -50,6 +51,7 @@ private:
   PathWavelengths wavelengths_;
   Fan fan_;
   ShadowRays shadow_rays_;
+  SingleScatter single_scatter_;
   DielectricScatter scatter_;
   BandTable ones_, textured_;
   DecisionStream decisions_;

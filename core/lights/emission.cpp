@@ -92,6 +92,8 @@ std::vector<EmissionTarget> specular_targets(const Scene& scene, const Plan& pla
     return id.valid() && plan.materials[id.index()].specular_part();
   };
   for (const PlacedShape& placed : scene.shapes) {
+    const bool of_drops = placed.medium.valid() && plan.medium(placed.medium).drops;
+    if (of_drops && plan.materials[placed.material.index()].clear) continue; // bends no light
     bool found = specular(placed.material);
     if (const auto* tree = std::get_if<CsgTree>(&placed.shape))
       for (const auto& leaf : tree->leaves())

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/materials/texture.h"
+#include "core/media/drops.h"
 #include "geometry/ids.h"
 #include "spectral/curve.h"
 #include "spectral/dispersion.h"
@@ -15,6 +16,7 @@ struct Medium {
   std::string name;
   Dispersion index = ConstantIndex{1.0};
   Curve absorption_per_mm = Curve::constant(0.0); ///< Beer-Lambert: exp(-absorption * length)
+  std::optional<Drops> drops{};                   ///< that hang in it; its index is then 1
 };
 
 /// A metal's complex refractive index n - i k.

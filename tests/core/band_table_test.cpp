@@ -51,3 +51,12 @@ TEST_CASE("a constant curve is stored as one number only when that is asked for"
   CHECK(BandTable::at_centers(grid, Curve(), true).zero());
   CHECK(BandTable::at_centers(grid, Curve(), false).zero());
 }
+
+TEST_CASE("a number is added in the bands and not in the padding") {
+  const BandTable sum = BandTable(std::vector<double>{0.0, 0.5}).plus(0.25f, 2);
+  CHECK(sum[0] == 0.25f);
+  CHECK(sum[1] == 0.75f);
+  CHECK(sum[2] == 0.0f);
+  CHECK_FALSE(sum.zero());
+  CHECK(BandTable(0.5f, 2).plus(0.25f, 2).constant() == 0.75f);
+}

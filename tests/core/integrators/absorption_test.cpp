@@ -39,3 +39,13 @@ TEST_CASE("a clear medium takes nothing, however long the way") {
   absorb(MediumPlan{}, std::numeric_limits<double>::infinity(), 0, 1, throughput);
   CHECK(throughput[0] == 0.7f);
 }
+
+TEST_CASE("a medium alike in all bands absorbs as one that is tabulated") {
+  MediumPlan grey = dye();
+  grey.absorption_per_unit = BandTable(0.5f, 3);
+  float throughput[3] = {0.5f, 0.5f, 0.5f};
+  absorb(grey, 3.0, 1, 3, throughput);
+  CHECK(throughput[0] == 0.5f);
+  CHECK(throughput[1] == Approx(0.5 * std::exp(-1.5)).epsilon(1e-6));
+  CHECK(throughput[2] == throughput[1]);
+}

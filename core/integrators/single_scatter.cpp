@@ -1,0 +1,93 @@
+#include "core/integrators/single_scatter.h"
+
+#include "core/integrators/absorption.h"
+#include "core/integrators/unseen_boundary.h"
+#include "core/lights/illumination.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace abbe {
+
+SingleScatter::SingleScatter(const Scene& scene, const Plan& plan, const World& world)
+    : scene_(&scene), plan_(plan), world_(world), shadow_rays_(plan, world),
+      ones_(1.0f, plan.grid.count()), seen_(plan.stride), lit_(plan.stride) {}
+
+SingleScatter::SingleScatter(const Lamps& lamps, const Plan& plan, const World& world)
+    : lamps_(&lamps), plan_(plan), world_(world), shadow_rays_(plan, world),
+      ones_(1.0f, plan.grid.count()), seen_(plan.stride), lit_(plan.stride) {}
+
+void SingleScatter::begin_path(const Sampler& sampler) {
+  if (!plan_.has_drops) return;
+  place_ = sampler.pair(kDropPlace);
+  lamp_point_ = sampler.pair(kDropLamp);
+}
+
+void SingleScatter::arrive(Bundle& bundle, float* throughput, PathWavelengths& wavelengths,
+                           RadianceSums& sums, RayCounts& counts) {
+  for (;;) {
+    const double way = bundle.hit ? bundle.hit->t : kInfinity;
+    const MediumPlan& medium = plan_.medium(bundle.hit ? bundle.hit->medium_before
+                                                       : world_.medium_of(bundle.state.nesting));
+    if (medium.drops) add(bundle, way, medium, throughput, wavelengths, sums, counts);
+    absorb(medium, way, bundle.first, bundle.last, throughput);
+    if (!bundle.hit || !plan_.unseen(*bundle.hit)) return;
+    pass_unseen_boundary(bundle, world_, counts);
+  }
+}
+
+void SingleScatter::find_lights(const dvec3& place) {
+  lights_.clear();
+  if (lamps_) {
+    if (const auto lamp = lamps_->sample(place, place_.y, lamp_point_))
+      lights_.push_back({lamp->direction, lamp->distance, lamp->weight, lamp->source,
+                         std::isinf(lamp->distance) && lamp->density == 0.0, lamp});
+    return;
+  }
+  for (std::size_t i = 0; i < scene_->lights.size(); ++i) {
+    const Illumination light = illumination(scene_->lights[i], place);
+    if (light.strength > 0.0)
+      lights_.push_back({light.direction, light.distance, std::numbers::pi * light.strength,
+                         plan_.light_source(i), std::isinf(light.distance), std::nullopt});
+  }
+}
+
+void SingleScatter::add(const Bundle& bundle, double way, const MediumPlan& medium,
+                        const float* throughput, PathWavelengths& wavelengths, RadianceSums& sums,
+                        RayCounts& counts) {
+  const DropsPlan& drops = *medium.drops;
+  const double extinction = drops.extinction_per_unit;
+  const double scattered = -std::expm1(-extinction * way); // of a ray that goes all the way
+  const double distance = -std::log1p(-place_.x * scattered) / extinction;
+  const dvec3 point = bundle.state.ray.at(distance);
+  find_lights(point);
+  if (lights_.empty()) return;
+  // The ray may have passed boundaries between equal media, so its own nesting need not hold here.
+  const Nesting nesting = world_.nesting_at(point);
+  const int first = bundle.first, last = bundle.last;
+  std::copy(throughput + first, throughput + last, seen_.begin() + first);
+  absorb(medium, distance, first, last, seen_.data());
+  // s exp(-s t) over the density of the place; `absorb` has applied exp(-s t) already.
+  const double weight = scattered * std::exp(extinction * distance);
+
+  for (const Light& light : lights_) {
+    const RayState towards_lamp{{point, light.direction}, {}, nesting};
+    const float* arriving =
+        shadow_rays_.transmittance(towards_lamp, light.distance, first, last, wavelengths, counts);
+    if (!arriving) continue;
+    const auto& phase = light.disc ? drops.under_sun : drops.under_lamp;
+    const auto part = phase->at(glm::dot(light.direction, bundle.state.ray.direction));
+    for (int b = first; b < last; ++b) {
+      const auto k = static_cast<std::size_t>(b);
+      lit_[k] = seen_[k] * arriving[b] * part[b];
+    }
+    if (light.sample) lamps_->tint(*light.sample, first, last, lit_.data());
+    sums.add(light.source, lit_.data(), ones_, static_cast<float>(weight * light.weight), first,
+             last);
+  }
+}
+
+} // namespace abbe
