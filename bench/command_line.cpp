@@ -67,9 +67,11 @@ Options parse_command_line(int argc, const char* const* argv) {
   error
       ->add_option("--vary", options.error.variations,
                    "Settings to compare, such as default, exact, fan=16, fan=8,tolerance=0.5 "
-                   "(words: fan, tolerance, cutoff, bands, exact, jitter)")
+                   "(words: fan, tolerance, cutoff, bands, noise, exact, jitter)")
       ->type_name("SETTINGS");
-  error->add_option("--budgets", options.error.budgets, "Samples per pixel (default 1 4 16 64)")
+  error
+      ->add_option("--budgets", options.error.budgets,
+                   "Samples per pixel, with noise the most (default 1 4 16 64)")
       ->check(CLI::Range(1, 1 << 24));
   error->add_option("--bands", render.bands, "Wavelength bands (default: the scene's)")
       ->check(CLI::Range(1, 405));

@@ -9,7 +9,7 @@ namespace abbe::bench {
 namespace {
 
 constexpr const char* kWords =
-    "fan=N, tolerance=PIXELS, cutoff=X, bands=N, exact, jitter=on, jitter=off or default";
+    "fan=N, tolerance=PIXELS, cutoff=X, bands=N, noise=X, exact, jitter=on, jitter=off or default";
 
 template <class T>
 T number(std::string_view word, std::string_view text, T lowest, T highest) {
@@ -36,6 +36,8 @@ void apply(std::string_view word, RenderSettings& s) {
     s.tolerance_pixels = number(word, value, 0.0, 65536.0);
   else if (key == "cutoff")
     s.min_throughput = number(word, value, 0.0, 1.0);
+  else if (key == "noise")
+    s.noise = number(word, value, 0.0, 1.0);
   else if (key == "jitter" && (value == "on" || value == "off"))
     s.jitter = value == "on";
   else if (word != "default")

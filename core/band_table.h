@@ -39,6 +39,13 @@ public:
   [[nodiscard]] float operator[](int band) const { return values_[static_cast<std::size_t>(band)]; }
   [[nodiscard]] const float* data() const { return values_.data(); }
 
+  /// The values, to be overwritten: from now on the table passes for one that varies.
+  [[nodiscard]] float* varying() {
+    constant_.reset();
+    zero_ = false;
+    return values_.data();
+  }
+
 private:
   std::vector<float> values_;
   std::optional<float> constant_;

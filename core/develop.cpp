@@ -122,6 +122,8 @@ Metadata render_metadata(const Plan& plan) {
                 {"abbe/minTransparency", fmt::format("{}", s.min_transparency)},
                 {"abbe/jitter", s.jitter ? "on" : "off"},
                 {"abbe/exact", s.exact ? "on" : "off"}};
+  if (s.noise > 0.0) data.push_back({"abbe/noise", fmt::format("{}", s.noise)});
+  if (s.seconds > 0.0) data.push_back({"abbe/timeLimit", fmt::format("{}", s.seconds)});
   if (!s.exact) {
     data.push_back({"abbe/tolerance", fmt::format("{}", s.tolerance_pixels)});
     data.push_back({"abbe/maxFan", fmt::format("{}", s.max_fan)});
@@ -143,7 +145,16 @@ Metadata display_metadata(const DisplaySettings& settings, Observer observer) {
 }
 
 SceneLinearImage develop_scene_linear(const Film& film, const Plan& plan, SceneLinearSpace space) {
-  return {full_window(plan), film.window(), linear_rgba(film, space), render_metadata(plan), space};
+  SceneLinearImage image{full_window(plan), film.window(), linear_rgba(film, space),
+                         render_metadata(plan), space};
+  if (!film.keeps_errors()) return image;
+  ImageChannel samples{"samples", {}}, error{"error.Y", {}};
+  for_each_pixel(film.window(), [&](int x, int y) {
+    samples.values.push_back(static_cast<float>(film.samples(x, y)));
+    error.values.push_back(static_cast<float>(film.error(x, y).y));
+  });
+  image.channels = {std::move(samples), std::move(error)};
+  return image;
 }
 
 DisplayImage develop_display(const Film& film, const Plan& plan, const DisplaySettings& settings) {

@@ -6,6 +6,8 @@
 
 namespace abbe {
 
+/// A film that keeps errors adds two channels: `samples`, how many a pixel has, and `error.Y`, the
+/// standard error of its luminance as `Film::error` estimates it.
 [[nodiscard]] SceneLinearImage
 develop_scene_linear(const Film& film, const Plan& plan,
                      SceneLinearSpace space = SceneLinearSpace::rec709);

@@ -1,7 +1,10 @@
 #include "core/film.h"
 
+#include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
+#include <limits>
 
 namespace abbe {
 namespace {
@@ -17,8 +20,9 @@ std::int64_t steps(double value, double quantum) {
 
 } // namespace
 
-Film::Film(PixelWindow window, double quantum, int bands)
+Film::Film(PixelWindow window, double quantum, int bands, bool keep_errors)
     : window_(window), quantum_(quantum), bands_(bands), sums_(3 * window.pixel_count()),
+      first_sums_(keep_errors ? sums_.size() : 0),
       band_sums_(window.pixel_count() * static_cast<std::size_t>(bands)),
       counts_(window.pixel_count()), covered_(window.pixel_count()),
       refused_(window.pixel_count()) {}
@@ -42,6 +46,8 @@ void Film::sum(std::int64_t& total, double value, std::size_t pixel) {
 
 void Film::add(int x, int y, const Xyz& color, bool covered, std::span<const float> radiance) {
   const std::size_t pixel = index(x, y);
+  if (keeps_errors() && std::has_single_bit(counts_[pixel]))
+    std::copy_n(sums_.data() + 3 * pixel, 3, first_sums_.data() + 3 * pixel);
   ++counts_[pixel];
   covered_[pixel] += covered ? 1u : 0u;
   if (!accept(color.x, pixel) || !accept(color.y, pixel) || !accept(color.z, pixel)) return;
@@ -95,6 +101,20 @@ Xyz Film::color(int x, int y) const {
   return {mean(sums_[3 * p], p) + splat_mean(splats_, 3 * p),
           mean(sums_[3 * p + 1], p) + splat_mean(splats_, 3 * p + 1),
           mean(sums_[3 * p + 2], p) + splat_mean(splats_, 3 * p + 2)};
+}
+
+Xyz Film::error(int x, int y) const {
+  const std::size_t p = index(x, y);
+  const std::uint32_t n = counts_[p];
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  if (n < 2) return {unknown, unknown, unknown};
+  const double a = std::bit_floor(n - 1), b = n - a;
+  const auto error = [&](std::size_t i) {
+    const auto first = static_cast<double>(first_sums_[i]);
+    const double rest = static_cast<double>(sums_[i] - first_sums_[i]);
+    return std::sqrt(a * b) / n * quantum_ * std::abs(first / a - rest / b);
+  };
+  return {error(3 * p), error(3 * p + 1), error(3 * p + 2)};
 }
 
 double Film::alpha(int x, int y) const {

@@ -15,12 +15,13 @@ namespace abbe {
 class Film {
 public:
   /// `bands` is 0 for XYZ alone, else the number of bands whose sums are kept too.
-  Film(PixelWindow window, double quantum, int bands);
+  /// With `keep_errors` the film keeps what `error` needs, 24 bytes more per pixel besides its 44.
+  Film(PixelWindow window, double quantum, int bands, bool keep_errors = false);
 
-  /// Adds one sample of a pixel inside the window. `radiance` holds one value per band when the
-  /// film keeps bands. Values that are not finite, negative ones and overflows are counted and
-  /// left out: they add nothing, though their sample counts. One pixel must not be added to by two
-  /// threads at once.
+  /// Adds one sample of a pixel inside the window; those of a pixel come in the sampler's order.
+  /// `radiance` holds one value per band when the film keeps bands. Values that are not finite,
+  /// negative ones and overflows are counted and left out: they add nothing, though their sample
+  /// counts. One pixel must not be added to by two threads at once.
   void add(int x, int y, const Xyz& color, bool covered, std::span<const float> radiance);
 
   /// Makes room for splats.
@@ -38,6 +39,16 @@ public:
   [[nodiscard]] Xyz color(int x, int y) const;
   [[nodiscard]] double alpha(int x, int y) const;
   [[nodiscard]] double radiance(int x, int y, int band) const;
+  [[nodiscard]] bool keeps_errors() const { return !first_sums_.empty(); }
+  /// The standard error of `color`, estimated from the difference of two parts of the pixel's n
+  /// samples: the first a, where a is the largest power of two below n, and the other b = n - a.
+  /// For parts with means A and B it is sqrt(a b) / n |A - B|, half the difference of equal halves.
+  /// Infinite with fewer than two samples. One degree of freedom: good in the mean over many
+  /// pixels only. The film must keep errors.
+  ///
+  /// Such parts, and not odd and even samples, are each as evenly spread as the sampler's
+  /// sequences are [Burley20]; docs/decisions/noise.md tells how much too large that is.
+  [[nodiscard]] Xyz error(int x, int y) const;
   [[nodiscard]] std::uint32_t samples(int x, int y) const { return counts_[index(x, y)]; }
 
   /// Samples that were refused.
@@ -63,6 +74,7 @@ private:
   double quantum_;
   int bands_;
   std::vector<std::int64_t> sums_;                 ///< X, Y, Z per pixel
+  std::vector<std::int64_t> first_sums_;           ///< X, Y, Z of the first part of the samples
   std::vector<std::int64_t> band_sums_;            ///< per pixel, per band
   std::vector<std::int64_t> splats_, band_splats_; ///< as sums_, band_sums_; empty until asked for
   double light_passes_ = 0.0;

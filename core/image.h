@@ -28,6 +28,12 @@ using Metadata = std::vector<std::pair<std::string, std::string>>;
 /// Primaries and white of a scene-linear picture.
 enum class SceneLinearSpace : std::uint8_t { rec709, acescg, aces2065_1, rec2020 };
 
+/// One more value per pixel beside the colours, row by row.
+struct ImageChannel {
+  std::string name;
+  std::vector<float> values;
+};
+
 /// Scene-linear picture, Rec. 709 primaries unless `space` says otherwise, unclipped (negative
 /// values are out of gamut, not wrong), associated alpha. Channels are interleaved R, G, B, A, rows
 /// from the top of `data`.
@@ -37,6 +43,7 @@ struct SceneLinearImage {
   std::vector<float> rgba;
   Metadata metadata;
   SceneLinearSpace space = SceneLinearSpace::rec709;
+  std::vector<ImageChannel> channels = {};
 };
 
 /// Picture for a screen: exposed, brought into its gamut. Both encodings of the same pixels are

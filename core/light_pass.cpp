@@ -1,5 +1,6 @@
 #include "core/light_pass.h"
 
+#include "core/denormals.h"
 #include "core/integrators/light_paths.h"
 #include "core/plan_extent.h"
 #include "core/sampler.h"
@@ -17,7 +18,12 @@ namespace {
 constexpr std::uint32_t kChunk = 2048;
 
 /// Light paths that fill the photon map of one pass; what more there are add splats only.
-constexpr std::uint32_t kMostMapped = 1u << 18;
+constexpr std::uint32_t kMostMapped = 1u << 15;
+
+/// For the first radius: photons that each band shall have within it, photons that are compared,
+/// and those of them whose neighbours are counted.
+constexpr double kPhotonsPerBand = 24.0;
+constexpr std::size_t kMostCompared = 1u << 14, kAsked = 128;
 
 /// A run of one emitter's paths.
 struct Chunk {
@@ -25,10 +31,44 @@ struct Chunk {
   std::uint32_t first, last; ///< numbers among the emitter's paths of this pass
 };
 
-/// The first pass's radius as a part of the scene's size, unless the settings give it.
-constexpr double kRadiusPart = 1.0 / 256.0;
+/// The first pass's radius is at most this part of the scene's size, unless the settings give it.
+constexpr double kLargestPart = 1.0 / 64.0;
 
 } // namespace
+
+double radius_for(std::span<const PhotonBatch> batches, int bands_in_all, double largest) {
+  std::vector<dvec3> places;
+  double bands = 0.0;
+  std::size_t count = 0;
+  for (const PhotonBatch& batch : batches)
+    count += batch.photons.size();
+  if (count == 0) return largest;
+  // Every so many of them stands for those beside it.
+  const std::size_t step = (count + kMostCompared - 1) / kMostCompared;
+  std::size_t i = 0;
+  for (const PhotonBatch& batch : batches)
+    for (const Photon& photon : batch.photons) {
+      bands += photon.last - photon.first;
+      if (i++ % step == 0) places.push_back(photon.position);
+    }
+  // So many photons give each band kPhotonsPerBand: a narrow bundle counts for its bands alone.
+  const double mean_bands = bands / static_cast<double>(count);
+  const double wanted = kPhotonsPerBand * bands_in_all / std::max(mean_bands, 1.0);
+  const auto rank = static_cast<std::size_t>(
+      std::clamp(wanted / static_cast<double>(step), 1.0, static_cast<double>(places.size())));
+  std::vector<double> radii, distances(places.size());
+  const std::size_t stride = std::max<std::size_t>(1, places.size() / kAsked);
+  for (std::size_t p = 0; p < places.size(); p += stride) {
+    for (std::size_t q = 0; q < places.size(); ++q)
+      distances[q] = glm::distance(places[p], places[q]);
+    const auto nth = distances.begin() + static_cast<std::ptrdiff_t>(rank - 1);
+    std::nth_element(distances.begin(), nth, distances.end());
+    radii.push_back(*nth);
+  }
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
+  return *middle > 0.0 ? std::min(*middle, largest) : largest;
+}
 
 double photon_radius(double first_radius, int pass) {
   constexpr double kAlpha = 2.0 / 3.0;
@@ -42,8 +82,7 @@ LightPasses::LightPasses(const Scene& scene, const Plan& plan, const World& worl
                          const CameraRays& camera, Film& film)
     : plan_(plan), world_(world), camera_(camera), film_(film),
       emission_(plan.caustics ? Emission(scene, plan) : Emission()), map_(true),
-      first_radius_(plan.settings.photon_radius > 0.0 ? plan.settings.photon_radius
-                                                      : kRadiusPart * scene_size(scene)),
+      largest_radius_(kLargestPart * scene_size(scene)), first_radius_(plan.settings.photon_radius),
       begun_(emission_.emitters().size(), 0) {
   if (!needed()) return;
   emission_.place(world);
@@ -66,6 +105,7 @@ RayCounts LightPasses::run(int pass, int samples, const std::atomic<bool>& stop,
   std::vector<RayCounts> counts(chunks.size());
   std::atomic<std::size_t> done = 0;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks.size(), 1), [&](const auto& range) {
+    const DenormalsOff denormals_off;
     LightPaths walker(plan_, world_, &camera_, film_);
     for (std::size_t c = range.begin(); c < range.end() && !stop; ++c) {
       const Chunk& chunk = chunks[c];
@@ -85,6 +125,8 @@ RayCounts LightPasses::run(int pass, int samples, const std::atomic<bool>& stop,
   film_.add_light_passes(static_cast<double>(done) / static_cast<double>(chunks.size()));
   for (std::size_t e = 0; e < shares.size(); ++e)
     begun_[e] += shares[e];
+  if (!(first_radius_ > 0.0))
+    first_radius_ = radius_for(batches, plan_.grid.count(), largest_radius_);
   map_.build(batches, photon_radius(first_radius_, pass));
   RayCounts total;
   for (const RayCounts& c : counts)

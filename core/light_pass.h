@@ -34,9 +34,14 @@ private:
   Film& film_;
   Emission emission_;
   PhotonMap map_;
-  double first_radius_;
-  std::vector<std::uint32_t> begun_; ///< by emitter: paths of earlier passes
+  double largest_radius_, first_radius_; ///< 0: not known yet
+  std::vector<std::uint32_t> begun_;     ///< by emitter: paths of earlier passes
 };
+
+/// A radius within which photons like these give each of all bands a few dozen, at the median
+/// photon.
+[[nodiscard]] double radius_for(std::span<const PhotonBatch> batches, int bands_in_all,
+                                double largest);
 
 /// The radius of the photon map's pass: its square shrinks as pass^(-1/3) [Knaus11], so that both
 /// noise and blur vanish.

@@ -2,9 +2,11 @@
 
 namespace abbe {
 
-PathWavelengths::PathWavelengths(const Plan& plan) : plan_(plan), entries_(plan.media.size() + 1) {
+PathWavelengths::PathWavelengths(const Plan& plan)
+    : plan_(plan), entries_(plan.media.size() + 1 + plan.layers.size()) {
   for (Entry& entry : entries_)
     entry.indices.resize(plan.stride, 1.0);
+  wavelengths_nm_.indices.resize(plan.stride, 0.0);
 }
 
 void PathWavelengths::begin_path(double offset) {
@@ -12,17 +14,31 @@ void PathWavelengths::begin_path(double offset) {
   ++path_;
 }
 
-const double* PathWavelengths::indices(MediumId medium) {
-  Entry& e = entry(medium);
-  if (e.path != path_) {
-    const IndexTable& index = plan_.medium(medium).index;
-    const bool lines = !plan_.lines.empty();
+const double* PathWavelengths::looked_up(Entry& entry, const IndexTable& index) {
+  if (entry.path != path_) {
     for (int b = 0; b < plan_.grid.count(); ++b)
-      e.indices[static_cast<std::size_t>(b)] =
-          index.at(lines ? plan_.wavelength_nm(b, offset_) : plan_.grid.wavelength_nm(b, offset_));
-    e.path = path_;
+      entry.indices[static_cast<std::size_t>(b)] = index.at(wavelength_nm(b));
+    entry.path = path_;
   }
-  return e.indices.data();
+  return entry.indices.data();
+}
+
+const double* PathWavelengths::indices(MediumId medium) {
+  return looked_up(entry(medium), plan_.medium(medium).index);
+}
+
+const double* PathWavelengths::layer_indices(int layer) {
+  const auto i = static_cast<std::size_t>(layer);
+  return looked_up(entries_[plan_.media.size() + 1 + i], plan_.layers[i]);
+}
+
+const double* PathWavelengths::wavelengths_nm() {
+  if (wavelengths_nm_.path != path_) {
+    for (int b = 0; b < plan_.grid.count(); ++b)
+      wavelengths_nm_.indices[static_cast<std::size_t>(b)] = wavelength_nm(b);
+    wavelengths_nm_.path = path_;
+  }
+  return wavelengths_nm_.indices.data();
 }
 
 double PathWavelengths::shared_index(MediumId medium, int first, int last) const {

@@ -1,8 +1,10 @@
 #include "core/plan.h"
 
 #include "core/lights/emission.h"
+#include "core/lights/sampled_surface.h"
 #include "core/plan_extent.h"
 #include "core/plan_lines.h"
+#include "core/plan_surfaces.h"
 #include "core/plan_tiles.h"
 #include "spectral/observer.h"
 
@@ -72,6 +74,18 @@ std::vector<double> table_wavelengths(const Plan& plan) {
   return nm;
 }
 
+/// Paths follow what either part does. Light that it gives off is met by chance only.
+MaterialPlan planned_mixture(const Plan& plan, const Mixture& mixture) {
+  const MaterialPlan &a = plan.materials[mixture.first.index()],
+                     &b = plan.materials[mixture.second.index()];
+  MaterialPlan m;
+  m.reflects = a.reflects || b.reflects;
+  m.transmits = a.transmits || b.transmits;
+  m.lit = a.lit || b.lit;
+  m.mixture = {mixture.first.value, mixture.second.value, mixture.share};
+  return m;
+}
+
 void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
   const RenderSettings& settings = plan.settings;
   const std::vector<double> nm = table_wavelengths(plan);
@@ -98,13 +112,19 @@ void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
       m.metal_n = table(material.metal->n);
       m.metal_k = table(material.metal->k);
     }
+    plan_surface(material, m, plan);
     m.dielectric = !m.transparency.zero();
     m.reflects = largest(m.reflectivity) > static_cast<float>(settings.min_reflectivity);
     m.transmits = largest(m.transparency) > static_cast<float>(settings.min_transparency);
     m.lit = !m.diffuse.zero() || !m.specular.zero();
+    if (material.texture) {
+      m.texture = plan_texture(plan.textures, *material.texture, scene.images, nm, settings.skip);
+      m.lit = true;
+    }
     m.emits_behind = material.emits_behind;
     if (material.emission.constant_value() != 0.0)
       m.emission_source = sources.add(material.emission);
+    if (material.mixture) m = planned_mixture(plan, *material.mixture);
     plan.materials.push_back(std::move(m));
   }
 }
@@ -190,6 +210,21 @@ void plan_caustics(const Scene& scene, Plan& plan) {
                              "passes");
 }
 
+/// Paths find light that is not aimed at too, but with more noise.
+void note_lamps_met_by_chance(const Scene& scene, Plan& plan) {
+  if (plan.settings.integrator != Integrator::path) return;
+  const auto count =
+      std::count_if(scene.shapes.begin(), scene.shapes.end(), [&](const PlacedShape& placed) {
+        return placed.material.valid() && !can_sample_surface(placed.shape) &&
+               plan.materials[placed.material.index()].emission_source >= 0;
+      });
+  if (count > 0)
+    plan.notes.push_back(
+        fmt::format("{} {} by chance alone, since only squares, discs, spheres, "
+                    "boxes and meshes can be aimed at",
+                    count, count == 1 ? "shining shape is met" : "shining shapes are met"));
+}
+
 void note_content(const Scene& scene, Plan& plan) {
   const auto count = [](std::size_t n, const char* one, const char* many) {
     return fmt::format("{} {}", n, n == 1 ? one : many);
@@ -206,10 +241,19 @@ void note_content(const Scene& scene, Plan& plan) {
   plan.notes.insert(plan.notes.begin(),
                     fmt::format("{} x {} pixels in {}, {}; {} of {:.3g} nm", plan.window.width(),
                                 plan.window.height(), count(plan.tiles.size(), "tile", "tiles"),
-                                count(static_cast<std::size_t>(settings.samples_per_pixel),
-                                      "sample a pixel", "samples a pixel"),
+                                (settings.adaptive() ? "at most " : "") +
+                                    count(static_cast<std::size_t>(settings.samples_per_pixel),
+                                          "sample a pixel", "samples a pixel"),
                                 count(static_cast<std::size_t>(settings.bands), "band", "bands"),
                                 plan.grid.width_nm()));
+  if (settings.noise > 0.0)
+    plan.notes.push_back(
+        fmt::format("each tile ends at an estimated relative error of {}", settings.noise));
+  if (scene.environment)
+    plan.notes.push_back(fmt::format("the environment is a picture of {} x {} pixels{}",
+                                     scene.environment->width, scene.environment->height,
+                                     plan.environment ? "" : ", all black"));
+  note_lamps_met_by_chance(scene, plan);
   for (const Medium& medium : scene.media)
     if (!is_achromatic(medium.index))
       plan.notes.push_back(
@@ -243,6 +287,8 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
   if (settings.shadows == ShadowRule::automatic)
     plan.settings.shadows =
         settings.integrator == Integrator::path ? ShadowRule::opaque : ShadowRule::attenuated;
+  if (settings.samples_per_pixel == 0)
+    plan.settings.samples_per_pixel = settings.adaptive() ? kMostSamplesPerPixel : kSamplesPerPixel;
   plan.grid = BandGrid(settings.bands);
   plan.stride = padded_band_count(settings.bands);
 
@@ -253,6 +299,10 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
   for (const Light& light : scene.lights)
     sources.add(light.spectrum);
   plan_materials(scene, plan, sources);
+  if (scene.environment) {
+    plan.environment = EnvironmentMap::make(*scene.environment, table_wavelengths(plan));
+    if (plan.environment) plan.environment_source = sources.add(scene.environment->light);
+  }
   plan_media(scene, plan);
   find_live_bands(plan);
 
@@ -264,9 +314,11 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
         fmt::format("the crop {},{},{},{} is not a part of the {} x {} image", plan.window.x0,
                     plan.window.y0, plan.window.x1, plan.window.y1, full.x1, full.y1));
   plan.tiles = make_tiles(scene, plan.window, settings);
+  plan_albedos(plan);
   plan_caustics(scene, plan);
   plan.quantum = film_quantum(scene, plan.grid, settings.observer);
   note_content(scene, plan);
+  note_surfaces(plan);
   return plan;
 }
 

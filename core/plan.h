@@ -2,11 +2,15 @@
 
 #include "core/band_table.h"
 #include "core/index_table.h"
+#include "core/lights/environment_map.h"
+#include "core/materials/albedo_table.h"
+#include "core/materials/texture_plan.h"
 #include "core/scene.h"
 #include "geometry/ray_state.h"
 #include "spectral/color.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,20 +23,36 @@ struct SourcePlan {
   BandTable factor;
 };
 
+/// Mixture by index into Plan::materials.
+struct MixturePlan {
+  int first = -1, second = -1; ///< negative: no mixture
+  double share = 0.0;
+};
+
 /// A material at the bands, and which of its parts are there at all.
 struct MaterialPlan {
   BandTable ambient, diffuse, specular, reflectivity, transparency;
   float specular_exponent = 1.0f;
   bool fresnel = true;
   BandTable metal_n, metal_k; ///< of a conductor
+  double roughness = 0.0;     ///< see Material::roughness
+  bool compensation = true;
+  std::optional<GgxAlbedo> mirror_albedo;       ///< of a rough surface with compensation
+  std::optional<DielectricAlbedo> glass_albedo; ///< the same, or of a rough coat
+  double film_nm = 0.0;                         ///< thickness of the thin film
+  int film = -1, coat = -1; ///< indices into Plan::layers; negative: there is none
   bool conductor = false;
   bool dielectric = false; ///< lets light in, so reflection too goes by its index
   bool reflects = false, transmits = false, lit = false; ///< what paths follow
   bool emits_behind = true;
   int emission_source = -1; ///< index into Plan::sources; negative: emits nothing
+  int texture = -1;         ///< index into TexturePlans::textures; negative: `diffuse` holds
+  /// Of a mixture only the flags count, which are those of either part; see part_of.
+  MixturePlan mixture;
 
+  [[nodiscard]] bool mixed() const { return mixture.first >= 0; }
   /// True when some light goes on along the one reflected or refracted ray.
-  [[nodiscard]] bool specular_part() const { return reflects || transmits; }
+  [[nodiscard]] bool specular_part() const { return roughness == 0.0 && (reflects || transmits); }
   /// True when a ray that meets the surface sees light that it gives off.
   [[nodiscard]] bool emits(const Hit& hit) const {
     return emission_source >= 0 && (hit.entering || emits_behind);
@@ -71,9 +91,13 @@ struct Plan {
   std::vector<std::vector<SpectralLine>> lines; ///< by band; see lines_of_bands
   std::vector<SourcePlan> sources; ///< background, ambient light, the lamps, emitting materials
   std::vector<AccumulatorPlan> accumulators;
+  std::optional<EnvironmentMap> environment;
+  int environment_source = -1;         ///< index into sources, of its light
   std::vector<MaterialPlan> materials; ///< by MaterialId
-  std::vector<MediumPlan> media;       ///< by MediumId
+  TexturePlans textures;
+  std::vector<MediumPlan> media; ///< by MediumId
   MediumPlan vacuum;
+  std::vector<IndexTable> layers; ///< of thin films and coats
 
   PixelWindow window; ///< what is rendered
   std::vector<Tile> tiles;

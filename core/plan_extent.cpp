@@ -18,6 +18,10 @@ std::optional<dvec3> position_of(const Light& light) {
   return std::nullopt;
 }
 
+/// A sun can be looked at, but a tiny one must not make the steps too coarse for what it lights:
+/// they stay below 2^-16 of that.
+constexpr double kMostOfSun = 0x1p20;
+
 } // namespace
 
 double scene_size(const Scene& scene) {
@@ -38,10 +42,18 @@ double film_quantum(const Scene& scene, const BandGrid& grid, Observer observer)
   const double way = scene_size(scene) / 16.0;
   for (const Light& light : scene.lights) {
     const double value = brightness(light.spectrum);
-    if (light.falloff == Falloff::none)
+    if (const auto* sun = std::get_if<SunLight>(&light.emitter))
+      brightest = std::max(brightest, value * std::min(sun->radiance_per_value(), kMostOfSun));
+    else if (light.falloff == Falloff::none)
       brightest = std::max(brightest, value);
     else if (way > 0.0)
       brightest = std::max(brightest, value / (way * way));
+  }
+  if (scene.environment) {
+    const Environment& e = *scene.environment;
+    const double most =
+        e.rgb.empty() ? 0.0 : std::max(0.0f, *std::max_element(e.rgb.begin(), e.rgb.end()));
+    brightest = std::max(brightest, brightness(e.light) * e.factor * most);
   }
   for (const Material& material : scene.materials)
     brightest = std::max(brightest, brightness(material.emission));

@@ -11,6 +11,7 @@ std::vector<const Curve*> spectra_of(const Scene& scene) {
   std::vector<const Curve*> spectra{&scene.background, &scene.global_ambient};
   for (const Light& light : scene.lights)
     spectra.push_back(&light.spectrum);
+  if (scene.environment) spectra.push_back(&scene.environment->light);
   for (const Material& material : scene.materials)
     spectra.push_back(&material.emission);
   return spectra;

@@ -22,12 +22,15 @@ using ProgressCallback = std::function<void(const RenderProgress&)>;
 
 struct Rendering {
   Film film;
-  RayCounts rays;
+  RayCounts rays = {};
   double seconds = 0.0;
-  bool complete = true; ///< false when it was stopped
+  bool complete = true;       ///< false when it was stopped; not when its time was up
+  std::size_t open_tiles = 0; ///< that did not reach `RenderSettings::noise`
 };
 
-/// Renders the planned window. `keep_bands` makes the film keep every band besides XYZ. Setting
+/// Renders the planned window: every pixel with all samples, or each tile until its noise or all of
+/// it until its time says enough, see `RenderSettings`. The film keeps errors where the settings
+/// need or ask for them. `keep_bands` makes the film keep every band besides XYZ. Setting
 /// `stop` from anywhere ends the rendering soon; what is done is returned. `record`, for
 /// measurements, gets all rays; it needs settings with one thread.
 [[nodiscard]] Rendering render(const Scene& scene, const Plan& plan, const World& world,

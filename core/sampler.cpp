@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace abbe {
 namespace {
@@ -113,6 +114,23 @@ dvec2 filter_offset(PixelFilter filter, const dvec2& u) {
     return {gaussian_offset(u.x), gaussian_offset(u.y)};
   }
   return {};
+}
+
+double filter_density(PixelFilter filter, double offset) {
+  const double x = std::abs(offset);
+  switch (filter) {
+  case PixelFilter::box:
+    return offset >= -0.5 && offset < 0.5 ? 1.0 : 0.0;
+  case PixelFilter::tent:
+    return std::max(0.0, 1.0 - x);
+  case PixelFilter::gaussian: {
+    if (x > kGaussianRadius) return 0.0;
+    static const double whole = kGaussianSigma * std::sqrt(2.0 * std::numbers::pi) *
+                                std::erf(kGaussianRadius / (kGaussianSigma * std::numbers::sqrt2));
+    return std::exp(-0.5 * x * x / (kGaussianSigma * kGaussianSigma)) / whole;
+  }
+  }
+  return 0.0;
 }
 
 double filter_radius(PixelFilter filter) {

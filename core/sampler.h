@@ -49,11 +49,16 @@ enum SamplePurpose : std::uint32_t {
   kLamp = 10,          ///< x: which lamp
   kLampPoint = 11,     ///< a point on it
   kSurfaceChoice = 12, ///< x: which band of a stratum is kept, y: which of mixed materials
+  kSplat = 13,         ///< where in the pixel filter a splat falls
+  kLobe = 14,          ///< x: which way of a rough surface's scattering, y: by which band
   kPerSurface = 8,
 };
 
 /// A position relative to the pixel's centre, in pixels, distributed like the filter.
 [[nodiscard]] dvec2 filter_offset(PixelFilter filter, const dvec2& u);
+
+/// The density of `filter_offset` in either coordinate, per pixel.
+[[nodiscard]] double filter_density(PixelFilter filter, double offset);
 
 /// How far from the pixel's centre the filter reaches, in pixels.
 [[nodiscard]] double filter_radius(PixelFilter filter);

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "core/display.h"
+#include "core/lights/environment.h"
 #include "core/lights/light.h"
 #include "core/materials/material.h"
 #include "core/settings.h"
 #include "geometry/shape.h"
 #include "spectral/curve.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,8 +34,10 @@ struct Scene {
   std::vector<Material> materials; ///< by MaterialId
   std::vector<Medium> media;       ///< by MediumId
   std::vector<Light> lights;
+  std::vector<ReflectanceImage> images; ///< of textures
 
   Curve background = Curve::constant(0.0);     ///< radiance where a ray meets nothing
+  std::optional<Environment> environment;      ///< the same by direction; it adds to the background
   Curve global_ambient = Curve::constant(0.0); ///< the thesis's stand-in for indirect light
 };
 

@@ -29,6 +29,8 @@ enum class Caustics : std::uint8_t { automatic, on, off };
 /// deviation of half a pixel and ends at 1.5 pixels, `tent` ends at 1, `box` at half a pixel.
 enum class PixelFilter : std::uint8_t { box, tent, gaussian };
 
+inline constexpr int kSamplesPerPixel = 16, kMostSamplesPerPixel = 4096;
+
 /// Everything about a rendering that is not the scene itself. A scene file may set it, the command
 /// line overrides it.
 struct RenderSettings {
@@ -36,7 +38,12 @@ struct RenderSettings {
   std::optional<PixelWindow> crop; ///< only these pixels are rendered
   int bands = 81;
   Observer observer = Observer::cie1931_2deg; ///< whose eye makes colours of the bands
-  int samples_per_pixel = 16;
+  /// The most that a pixel gets. 0, which is never in a plan, stands for `kSamplesPerPixel`, or for
+  /// `kMostSamplesPerPixel` where noise or time says when to stop.
+  int samples_per_pixel = 0;
+  double noise = 0.0;       ///< a tile is done when its `relative_error` is at most this; 0: never
+  double seconds = 0.0;     ///< the rendering ends after this time; 0: never
+  bool keep_errors = false; ///< errors are estimated, even if neither noise nor time ends it
   std::uint64_t seed = 0;
   Integrator integrator = Integrator::whitted;
   PixelFilter filter = PixelFilter::gaussian;
@@ -55,6 +62,9 @@ struct RenderSettings {
   bool jitter = true;             ///< wavelengths drawn inside the bands instead of their centres
   double tolerance_pixels = 0.25; ///< bands share a ray while their spread is below this
   int max_fan = 8;                ///< at most so many sub-bundles of one path are followed
+
+  /// True where pixels may end with different numbers of samples.
+  [[nodiscard]] bool adaptive() const { return noise > 0.0 || seconds > 0.0; }
 
   int threads = 0;  ///< 0: one per processor
   bool skip = true; ///< leave out what the plan finds to be without effect

@@ -56,7 +56,7 @@ double local_area(const Disc&) {
   return kPi;
 }
 
-/// Area on a sphere is proportional to height [Archimedes].
+/// Area on a sphere is proportional to height.
 LocalSample local_sample(const Sphere&, const dvec2& u) {
   const double z = 1.0 - 2.0 * u.x;
   const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
@@ -89,7 +89,7 @@ concept Sampled = requires(const S& shape) {
 
 } // namespace
 
-bool can_sample_surface(const Shape& shape) {
+bool has_sampled_points(const Shape& shape) {
   return std::visit([]<class S>(const S&) { return Sampled<S>; }, shape);
 }
 

@@ -19,7 +19,7 @@ struct SurfaceSample {
 };
 
 /// True for shapes whose surface can be sampled: square, disc, sphere, box.
-[[nodiscard]] bool can_sample_surface(const Shape& shape);
+[[nodiscard]] bool has_sampled_points(const Shape& shape);
 
 /// A point of the surface for two numbers in [0, 1). Uniform in area in the shape's own frame, so
 /// also in the world under similarity transforms. Nothing for shapes that cannot be sampled.

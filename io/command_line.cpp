@@ -88,8 +88,21 @@ void add_settings(CLI::App& app, SettingsOverride& s) {
   add_choice<Observer>(app, "--observer", s.observer,
                        {{"2", Observer::cie1931_2deg}, {"10", Observer::cie1964_10deg}},
                        "CIE observer: 1931 of 2 degrees or 1964 of 10 degrees (default 2)");
-  app.add_option("--spp", s.samples_per_pixel, "Samples per pixel (default 16)")
+  app.add_option("--spp", s.samples_per_pixel,
+                 "Samples per pixel (default 16), with --noise or --time the most (4096)")
       ->check(CLI::Range(1, 1 << 24));
+  app.add_option(
+         "--noise", s.noise,
+         "Sample each tile until its estimated relative error is at most this, such as 0.05 "
+         "(default 0: all samples)")
+      ->check(number_from(0.0, 1.0));
+  app.add_option("--time", s.seconds,
+                 "End after so many seconds of rendering; the same bytes are not promised then")
+      ->check(number_from(0.0, 1e9))
+      ->type_name("SECONDS");
+  app.add_flag_callback(
+      "--errors", [&s] { s.keep_errors = true; },
+      "Write the channels samples and error.Y into EXR, as --noise and --time do");
   app.add_option_function<std::string>(
          "--size",
          [&s](const std::string& text) {
@@ -244,6 +257,9 @@ RenderSettings overridden(RenderSettings s, const SettingsOverride& given) {
   replace(s.height, given.height);
   replace(s.bands, given.bands);
   replace(s.samples_per_pixel, given.samples_per_pixel);
+  replace(s.noise, given.noise);
+  replace(s.seconds, given.seconds);
+  replace(s.keep_errors, given.keep_errors);
   replace(s.max_depth, given.max_depth);
   replace(s.max_fan, given.max_fan);
   replace(s.threads, given.threads);

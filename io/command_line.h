@@ -16,13 +16,14 @@ struct SettingsOverride {
   std::optional<int> width, height, bands, samples_per_pixel, max_depth, max_fan, threads;
   std::optional<PixelWindow> crop;
   std::optional<std::uint64_t> seed;
-  std::optional<double> min_throughput, tolerance_pixels, light_paths, photon_radius;
+  std::optional<double> noise, seconds, min_throughput, tolerance_pixels, light_paths,
+      photon_radius;
   std::optional<Integrator> integrator;
   std::optional<PixelFilter> filter;
   std::optional<ShadowRule> shadows;
   std::optional<Caustics> caustics;
   std::optional<Observer> observer;
-  std::optional<bool> exact, jitter, skip;
+  std::optional<bool> keep_errors, exact, jitter, skip;
   std::optional<Tracing> tracing;
 };
 

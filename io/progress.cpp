@@ -1,11 +1,14 @@
 #include "io/progress.h"
 
+#include "core/noise.h"
+
 #include <fmt/format.h>
 
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace abbe {
@@ -56,11 +59,32 @@ void Progress::finish() {
   line_open_ = false;
 }
 
+namespace {
+
+/// How far the samples went, for a film that can tell.
+std::string reached(const Rendering& rendering) {
+  const Film& film = rendering.film;
+  if (!film.keeps_errors()) return "";
+  const SampleCounts samples = sample_counts(film);
+  const double error = relative_error(film, film.window());
+  std::string text = fmt::format(
+      "samples a pixel: {} to {}, mean {:.1f}; estimated relative error {}", samples.least,
+      samples.most, samples.mean, std::isfinite(error) ? fmt::format("{:.3g}", error) : "unknown");
+  if (rendering.open_tiles > 0)
+    text += fmt::format("; above the target: {} {}", rendering.open_tiles,
+                        rendering.open_tiles == 1 ? "tile" : "tiles");
+  return text + "\n";
+}
+
+} // namespace
+
 std::string summary(const Rendering& rendering) {
   const RayCounts& rays = rendering.rays;
   const Film::Refused refused = rendering.film.refused();
-  return fmt::format("rays: {} camera, {} reflected, {} refracted, {} spread, {} shadow, {} light; "
-                     "{} in {:.2f} s, {:.2f} Mray/s\n"
+  return reached(rendering) +
+         fmt::format("rays: {} camera, {} reflected, {} refracted, {} spread, {} shadow, {} light; "
+                     "{} in {:.2f} s, "
+                     "{:.2f} Mray/s\n"
                      "refused samples: {} not finite, {} negative, {} overflow\n"
                      "peak memory: {:.0f} MiB",
                      rays.camera, rays.reflected, rays.refracted, rays.spread, rays.shadow,

@@ -35,8 +35,9 @@ const std::vector<SceneKeyword>& all_keywords() {
     std::vector<SceneKeyword> rows;
     for (const auto& table :
          {setting_keywords(), display_keywords(), camera_keywords(), transform_keywords(),
-          material_keywords(), light_keywords(), light_path_keywords(), shape_keywords(),
-          lens_keywords(), boolean_keywords(), macro_keywords()})
+          material_keywords(), surface_keywords(), texture_keywords(), mixture_keywords(),
+          light_keywords(), light_path_keywords(), shape_keywords(), lens_keywords(),
+          boolean_keywords(), macro_keywords()})
       rows.insert(rows.end(), table.begin(), table.end());
     return rows;
   }();
@@ -96,6 +97,12 @@ void check_pushes(const SceneState& state) {
 }
 
 } // namespace
+
+bool name_follows(const Arguments& arguments) {
+  const Token& token = arguments.reader().peek();
+  return token.kind == TokenKind::quoted ||
+         (token.kind == TokenKind::word && !arguments.number_follows() && !find_keyword(token));
+}
 
 void read_statement(SceneState& state, TokenReader& reader) {
   if (state.boolean) check_operands(state, reader.peek());

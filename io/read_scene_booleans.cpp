@@ -82,6 +82,7 @@ constexpr std::array kKeywords{
 MaterialId operand_finish(SceneState& state, const SourcePosition& where) {
   const BooleanScope& scope = *state.boolean;
   const CurrentMaterial& own = state.material;
+  check_surface(where, own.finish);
   const bool other_filling =
       is_transparent(own.finish) && scope.filling && !same(own.medium, *scope.filling);
   if (other_filling)

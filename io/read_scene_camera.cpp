@@ -7,6 +7,7 @@
 //   imageSize 640 480
 //   crop 100 100 200 150      ! x0 y0 x1 y1, from the top left; x1 and y1 are outside
 //   samples 64
+//   noise 0.05                ! then 64 samples are the most
 //   filter gaussian
 
 #include "io/read_scene_state.h"
@@ -57,6 +58,10 @@ void read_samples(SceneState& state, Arguments& arguments) {
   state.scene.settings.samples_per_pixel = static_cast<int>(arguments.whole_number(kCount));
 }
 
+void read_noise(SceneState& state, Arguments& arguments) {
+  state.scene.settings.noise = arguments.number({"a relative error", 0.0, 1.0});
+}
+
 void read_bands(SceneState& state, Arguments& arguments) {
   constexpr Range kCount{"a number of bands", 1.0, BandGrid::kMaxCount};
   state.scene.settings.bands = static_cast<int>(arguments.whole_number(kCount));
@@ -100,6 +105,7 @@ constexpr std::array kKeywords{
     SceneKeyword{"imageSize width height", read_image_size},
     SceneKeyword{"crop x0 y0 x1 y1", read_crop},
     SceneKeyword{"samples n", read_samples},
+    SceneKeyword{"noise x", read_noise},
     SceneKeyword{"bands n", read_bands},
     SceneKeyword{"seed n", read_seed},
     SceneKeyword{"integrator whitted|path", read_integrator},

@@ -27,37 +27,30 @@ namespace {
 
 constexpr Range kFraction{"a fraction of the light", 0.0, 1.0};
 
-void warn_of_extrapolation(SceneState& state, const SourcePosition& where, const Glass& glass) {
-  if (glass.lower_nm <= kLowerNm && glass.upper_nm >= kUpperNm) return;
-  if (!state.warned_glasses.insert(&glass).second) return;
-  warn_at(state, where,
-          fmt::format("glass {} is extrapolated beyond {:g}-{:g} nm (pictures need {}-{} nm)",
-                      glass.name, glass.lower_nm, glass.upper_nm, kLowerNm, kUpperNm));
-}
-
 template <Curve Material::*part>
 void read_reflectance(SceneState& state, Arguments& arguments) {
-  const LinearRgb color = read_rgb(arguments);
-  if (std::max({color.r, color.g, color.b}) > 1.0)
-    warn_at(state, arguments.keyword().where,
-            fmt::format("{} above 1 counts as 1 (nothing reflects more than it gets)",
-                        arguments.name()));
-  state.material.finish.*part = rgb_reflectance(color);
+  require_unmixed(state, arguments);
+  state.material.finish.*part = rgb_reflectance(read_fraction_rgb(state, arguments));
+  if (part == &Material::diffuse) state.material.finish.texture.reset();
 }
 
 void read_emissive(SceneState& state, Arguments& arguments) {
+  require_unmixed(state, arguments);
   state.material.finish.emission = read_emission(state, arguments);
 }
 
 void read_emissive_sides(SceneState& state, Arguments& arguments) {
+  require_unmixed(state, arguments);
   state.material.finish.emits_behind = arguments.choice<bool>({{"both", true}, {"front", false}});
 }
 
 void read_exponent(SceneState& state, Arguments& arguments) {
+  require_unmixed(state, arguments);
   state.material.finish.specular_exponent = arguments.number({"the exponent of the highlight"});
 }
 
 void read_reflectivity(SceneState& state, Arguments& arguments) {
+  require_unmixed(state, arguments);
   state.material.finish.reflectivity = Curve::constant(arguments.number(kFraction));
 }
 
@@ -86,6 +79,7 @@ void read_absorption_by(SceneState& state, Arguments& arguments) {
 }
 
 void read_fresnel(SceneState& state, Arguments& arguments) {
+  require_unmixed(state, arguments);
   state.material.finish.fresnel = arguments.on_off();
 }
 
@@ -123,6 +117,7 @@ void read_metal_mirror(SceneState& state, Arguments& arguments) {
 
 /// A metal lets no light in.
 void read_transparency(SceneState& state, Arguments& arguments) {
+  require_unmixed(state, arguments);
   const double share = arguments.number(kFraction);
   if (state.material.finish.metal && share > 0.0)
     throw ReadError(arguments.keyword().where, "transparency does not go with metal",
@@ -132,9 +127,7 @@ void read_transparency(SceneState& state, Arguments& arguments) {
 
 void read_use_material(SceneState& state, Arguments& arguments) {
   const Token name = arguments.name_token("the name of a material");
-  const LibraryMaterial& entry = look_up_material(state.libraries, name, state.warn);
-  if (entry.glass) warn_of_extrapolation(state, arguments.keyword().where, *entry.glass);
-  state.material = {finish(entry), filling(entry)};
+  state.material = named_material(state, arguments.keyword().where, name);
 }
 
 void read_priority(SceneState& state, Arguments& arguments) {
@@ -172,6 +165,23 @@ constexpr std::array kKeywords{
 };
 
 } // namespace
+
+void warn_of_extrapolation(SceneState& state, const SourcePosition& where, const Glass& glass) {
+  if (glass.lower_nm <= kLowerNm && glass.upper_nm >= kUpperNm) return;
+  if (!state.warned_glasses.insert(&glass).second) return;
+  warn_at(state, where,
+          fmt::format("glass {} is extrapolated beyond {:g}-{:g} nm (pictures need {}-{} nm)",
+                      glass.name, glass.lower_nm, glass.upper_nm, kLowerNm, kUpperNm));
+}
+
+LinearRgb read_fraction_rgb(SceneState& state, Arguments& arguments) {
+  const LinearRgb color = read_rgb(arguments);
+  if (std::max({color.r, color.g, color.b}) > 1.0)
+    warn_at(state, arguments.keyword().where,
+            fmt::format("{} above 1 counts as 1 (nothing reflects more than it gets)",
+                        arguments.name()));
+  return color;
+}
 
 CurrentMaterial clear_glass(SceneState& state, const SourcePosition& where, const Glass& glass) {
   warn_of_extrapolation(state, where, glass);

@@ -13,9 +13,11 @@ namespace {
 // A member added to the struct does not compile here until it is added to the comparison.
 auto members(const Material& m) {
   const auto& [name, ambient, diffuse, specular, emission, emits_behind, exponent, reflectivity,
-               transparency, fresnel, metal] = m;
+               transparency, fresnel, metal, texture, mixture, roughness, compensation, film,
+               coat] = m;
   return std::tie(name, ambient, diffuse, specular, emission, emits_behind, exponent, reflectivity,
-                  transparency, fresnel, metal);
+                  transparency, fresnel, metal, texture, mixture, roughness, compensation, film,
+                  coat);
 }
 
 auto members(const Medium& m) {
@@ -94,6 +96,7 @@ Curve read_emission(SceneState& state, Arguments& arguments) {
 
 void place_shape(SceneState& state, const SourcePosition& where, Shape shape,
                  const Transform& to_world, const CurrentMaterial& material) {
+  check_surface(where, material.finish);
   PlacedShape placed{
       std::move(shape), to_world, material_id(state.scene, material.finish), {}, state.priority};
   if (is_solid(placed.shape) && is_transparent(material.finish))

@@ -8,6 +8,7 @@
 #include "spectral/color.h"
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -30,6 +31,7 @@ struct CurrentLight {
   Falloff falloff = Falloff::none;
   double intensity = 1.0;
   double soft_edge_deg = 0.0;
+  double sun_radius = SunLight().angular_radius;
 };
 
 /// A transform that waits for its `pop`.
@@ -48,6 +50,12 @@ struct BooleanScope {
   std::size_t push_depth = 0;      ///< transforms pushed before the keyword
   int depth = 1;                   ///< 1 is the outermost
   std::vector<CsgTree> operands;
+};
+
+/// A material that the scene gave a name.
+struct NamedMaterial {
+  std::string name;
+  CurrentMaterial material;
 };
 
 /// Statements by name; the last token is an `end`.
@@ -71,6 +79,8 @@ struct SceneState {
   CurrentLight light;
   BooleanScope* boolean = nullptr; ///< the innermost one that is open
 
+  std::vector<NamedMaterial> named;
+  std::map<std::filesystem::path, std::size_t> images; ///< those read, by their index in the scene
   std::vector<Macro> macros;
   std::vector<std::string> open_macros;          ///< being used, each by the one before it
   std::vector<std::filesystem::path> open_files; ///< being read, each included by the one before
@@ -92,12 +102,19 @@ struct SceneKeyword {
 [[nodiscard]] std::span<const SceneKeyword> camera_keywords();
 [[nodiscard]] std::span<const SceneKeyword> transform_keywords();
 [[nodiscard]] std::span<const SceneKeyword> material_keywords();
+[[nodiscard]] std::span<const SceneKeyword> texture_keywords();
+[[nodiscard]] std::span<const SceneKeyword> mixture_keywords();
+[[nodiscard]] std::span<const SceneKeyword> surface_keywords();
 [[nodiscard]] std::span<const SceneKeyword> light_keywords();
 [[nodiscard]] std::span<const SceneKeyword> light_path_keywords();
 [[nodiscard]] std::span<const SceneKeyword> shape_keywords();
 [[nodiscard]] std::span<const SceneKeyword> lens_keywords();
 [[nodiscard]] std::span<const SceneKeyword> boolean_keywords();
 [[nodiscard]] std::span<const SceneKeyword> macro_keywords();
+
+/// True when the token can be a name that may be left out: neither a keyword nor a number, unless
+/// it is quoted.
+[[nodiscard]] bool name_follows(const Arguments& arguments);
 
 /// Reads one keyword with its arguments; for a boolean also its operands.
 void read_statement(SceneState& state, TokenReader& reader);
@@ -127,9 +144,27 @@ void warn_at(const SceneState& state, const SourcePosition& where, const std::st
 /// Three numbers, each 0 or more: linear sRGB.
 [[nodiscard]] LinearRgb read_rgb(Arguments& arguments);
 
+/// The same for a reflectance, whose components count as 1 where they are more, with a warning.
+[[nodiscard]] LinearRgb read_fraction_rgb(SceneState& state, Arguments& arguments);
+
+/// The material of this name that the scene has made, else the library's; `where` is for warnings.
+/// Throws ReadError.
+[[nodiscard]] CurrentMaterial named_material(SceneState& state, const SourcePosition& where,
+                                             const Token& name);
+
+/// Throws where the current material is a mixture, which has no finish to be changed.
+void require_unmixed(const SceneState& state, const Arguments& arguments);
+
+/// Warns once of a glass whose formula was not fitted for all wavelengths of a picture.
+void warn_of_extrapolation(SceneState& state, const SourcePosition& where, const Glass& glass);
+
 /// The material that the keyword `glass` sets. Warns of a glass that is extrapolated.
 [[nodiscard]] CurrentMaterial clear_glass(SceneState& state, const SourcePosition& where,
                                           const Glass& glass);
+
+/// Throws where a shape's finish has parts that do not go together: a film without a boundary of
+/// glass or metal below it, or a coat on one.
+void check_surface(const SourcePosition& where, const Material& finish);
 
 /// Reads what follows the keyword `polyhedron`.
 [[nodiscard]] ConvexPolyhedron read_polyhedron(Arguments& arguments);

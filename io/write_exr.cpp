@@ -147,6 +147,10 @@ void write_exr(const std::filesystem::path& path, const SceneLinearImage& image,
       channels.add_rgba(image.rgba);
       break;
     }
+    for (const ImageChannel& channel : image.channels) {
+      require_pixels(image.display, image.data, channel.values.size(), 1);
+      channels.add(channel.name, channel.values.data(), 1);
+    }
     save(path, temporary, channels, image.data.height());
   });
 }

@@ -11,7 +11,8 @@ namespace abbe {
 enum class ExrPixel { half, single };
 
 /// Writes channels R, G, B, A with the `colorInteropID` of its space ("lin_rec709_scene"), data
-/// window inside display window for a crop, and the metadata as string attributes. Values are
+/// window inside display window for a crop, the metadata as string attributes, and the picture's
+/// further channels in 32 bits (half floats count exactly to 2048 only). Values are
 /// neither clipped nor exposed; NaN and infinity are written as they are. Errors:
 /// `std::runtime_error`, see `replace_file`; the old file is kept.
 void write_exr(const std::filesystem::path& path, const SceneLinearImage& image, ExrPixel pixel);

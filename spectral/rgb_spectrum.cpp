@@ -104,12 +104,14 @@ Vector3 damped_step(const Residual& r, double damping) {
   return multiply(inverse(normal), gradient);
 }
 
-Vector3 solve(Vector3 coefficients, const Vector3& target) {
-  constexpr int kMaxSteps = 1000;       // tens, but hundreds for a nearly black pure red
-  constexpr double kGoodEnough = 1e-24; // of the squared error in linear sRGB
+constexpr double kGoodEnough = 1e-24; // of the squared error in linear sRGB
+constexpr double kGoodForPictures = 1e-14;
+
+Vector3 solve(Vector3 coefficients, const Vector3& target, double good_enough) {
+  constexpr int kMaxSteps = 1000; // tens, but hundreds for a nearly black pure red
   double damping = 1e-3;
   Residual current = evaluate(coefficients, target);
-  for (int i = 0; i < kMaxSteps && current.squared() > kGoodEnough && damping < 1e12; ++i) {
+  for (int i = 0; i < kMaxSteps && current.squared() > good_enough && damping < 1e12; ++i) {
     const Vector3 step = damped_step(current, damping);
     Vector3 trial = coefficients;
     for (int j = 0; j < 3; ++j)
@@ -138,11 +140,24 @@ Curve rgb_reflectance(const LinearRgb& color) {
   // From the flat spectrum of equal luminance, kept off 0 and 1, where the sigmoid never gets.
   const double grey = std::clamp(luminance({r, g, b}), 1e-12, 1.0 - 1e-12);
   const Vector3 start{0.0, 0.0, sigmoid_inverse(grey)};
-  const Vector3 coefficients = solve(start, {r, g, b});
+  const Vector3 coefficients = solve(start, {r, g, b}, kGoodEnough);
   std::vector<double> values(kSampleCount);
   for (int k = 0; k < kSampleCount; ++k)
     values[k] = sigmoid(quadratic(coefficients, position(k)));
   return Curve::samples81(std::move(values));
+}
+
+double SmoothCurve::at(double lambda_nm) const {
+  return scale * sigmoid(quadratic(coefficients, position(lambda_nm)));
+}
+
+SmoothCurve smooth_emission(const LinearRgb& color) {
+  const Vector3 c{std::max(color.r, 0.0), std::max(color.g, 0.0), std::max(color.b, 0.0)};
+  const double scale = 2.0 * std::max({c[0], c[1], c[2]});
+  if (c[0] == c[1] && c[1] == c[2]) return {{}, scale}; // half of it everywhere
+  const Vector3 target{c[0] / scale, c[1] / scale, c[2] / scale};
+  const double grey = luminance({target[0], target[1], target[2]});
+  return {solve({0.0, 0.0, sigmoid_inverse(grey)}, target, kGoodForPictures), scale};
 }
 
 Curve rgb_emission(const LinearRgb& color) {

@@ -3,6 +3,8 @@
 #include "spectral/color.h"
 #include "spectral/curve.h"
 
+#include <array>
+
 namespace abbe {
 
 /// A smooth reflectance between 0 and 1 whose colour under D65 is `color`, relative to the perfect
@@ -19,5 +21,20 @@ namespace abbe {
 /// The white of both functions is D65 at the 81 samples. Its x, y are 2e-5, 3e-5 from the rounded
 /// 0.3127, 0.3290 that define sRGB, so to_linear_srgb gives 1.00004 1.00001 0.99973 for it.
 [[nodiscard]] Curve rgb_emission(const LinearRgb& color);
+
+/// The curve `scale` S(a t^2 + b t + c), with S(x) = 1/2 + x / (2 sqrt(1 + x^2)) and t from -1 at
+/// 380 nm to 1 at 780 nm [JH19]: three numbers where many colours must be kept.
+struct SmoothCurve {
+  std::array<double, 3> coefficients{}; ///< a, b, c
+  double scale = 0.0;
+
+  [[nodiscard]] double at(double lambda_nm) const;
+  /// t.
+  [[nodiscard]] static double position(double lambda_nm) { return (lambda_nm - 580.0) / 200.0; }
+};
+
+/// The curve that makes D65 an emission of this colour, as `rgb_emission` does, to 1e-7 of its
+/// largest component. It is solved when called; SmoothEmissions is for many.
+[[nodiscard]] SmoothCurve smooth_emission(const LinearRgb& color);
 
 } // namespace abbe

@@ -1,6 +1,7 @@
 #include "core/integrators/bundle_walk.h"
 
 #include "core/materials/fresnel.h"
+#include "core/materials/surface_finish.h"
 
 #include <algorithm>
 
@@ -16,7 +17,7 @@ BundleWalk::BundleWalk(const Plan& plan, const World& world, double pixel_angle,
                        Transport transport)
     : plan_(plan), world_(world), wavelengths_(plan), fan_(plan, world, pixel_angle),
       scattering_(plan, transport), ones_(1.0f, plan.grid.count()), throughput_(plan.stride),
-      transport_(transport) {}
+      transport_(transport), textured_(0.0f, plan.grid.count()) {}
 
 void BundleWalk::begin(const Sampler& sampler, RayCounts& counts) {
   sampler_ = &sampler;
@@ -29,6 +30,19 @@ void BundleWalk::begin(const Sampler& sampler, RayCounts& counts) {
 
 dvec2 BundleWalk::numbers(SamplePurpose purpose) const {
   return sampler_->pair(purpose + kPerSurface * static_cast<std::uint32_t>(bundle_.depth));
+}
+
+const MaterialPlan& BundleWalk::find_material() {
+  material_ = &plan_.materials[bundle_.hit->material.index()];
+  if (material_->mixed()) material_ = &part_of(plan_, *material_, numbers(kSurfaceChoice).y);
+  return *material_;
+}
+
+void BundleWalk::prepare_scattering() {
+  const Hit& hit = *bundle_.hit;
+  scattering_.prepare(*material_, diffuse_at(plan_, world_, *material_, hit, textured_), hit,
+                      bundle_.state.ray.direction, bundle_.first, bundle_.last, throughput_.data(),
+                      wavelengths_);
 }
 
 void BundleWalk::push(const Bundle& bundle, float weight) {

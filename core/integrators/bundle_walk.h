@@ -28,6 +28,11 @@ protected:
   /// Multiplies the throughput by factors per band and a weight.
   void scale(const float* factors, double weight);
 
+  /// The material at the bundle's hit; of a mixture one of its parts, chosen at random.
+  const MaterialPlan& find_material();
+  /// Prepares scattering_ for the bundle's hit on the material that was found there last.
+  void prepare_scattering();
+
   // Steps from the bundle's hit; scattering_ has been prepared for it. False where the path ends.
   bool reflect(double chance);
   bool refract(double chance);
@@ -51,6 +56,8 @@ private:
   bool survives(MediumId medium);
 
   Transport transport_;
+  BandTable textured_; ///< scratch: the diffuse reflectance at the hit
+  const MaterialPlan* material_ = nullptr;
   const Sampler* sampler_ = nullptr;
   double band_choice_ = 0.0;
   double importance_ = 1.0; ///< of the current bundle behind its last hit

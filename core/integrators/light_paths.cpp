@@ -3,9 +3,35 @@
 #include "core/integrators/absorption.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace abbe {
+namespace {
+
+/// One of the pixels of a row or column whose filters reach a place.
+struct FilteredPixel {
+  int pixel;
+  double weight; ///< the filter's value there over the chance of this pixel
+};
+
+/// Chosen in proportion to the filters' values, by a number in [0, 1).
+FilteredPixel filtered_pixel(PixelFilter filter, double place, double u) {
+  const double radius = filter_radius(filter);
+  const int first = static_cast<int>(std::floor(std::clamp(place, -1e9, 1e9) - radius - 0.5));
+  constexpr int kMost = 5;
+  std::array<double, kMost> values{};
+  double sum = 0.0;
+  for (int i = 0; i < kMost; ++i)
+    sum += values[static_cast<std::size_t>(i)] = filter_density(filter, place - (first + i + 0.5));
+  double rest = u * sum;
+  int chosen = 0;
+  while (chosen < kMost - 1 && rest >= values[static_cast<std::size_t>(chosen)])
+    rest -= values[static_cast<std::size_t>(chosen++)];
+  return {first + chosen, sum};
+}
+
+} // namespace
 
 LightPaths::LightPaths(const Plan& plan, const World& world, const CameraRays* camera, Film& film)
     : BundleWalk(plan, world, camera ? camera->pixel_angle() : 0.0, Transport::flux),
@@ -14,7 +40,6 @@ LightPaths::LightPaths(const Plan& plan, const World& world, const CameraRays* c
 void LightPaths::trace(const EmittedRay& ray, const Sampler& sampler, double share,
                        PhotonBatch* photons, double photon_share, RayCounts& counts) {
   begin(sampler, counts);
-  path_sampler_ = &sampler;
   source_ = ray.source;
   flux_ = ray.flux;
   share_ = share;
@@ -50,14 +75,15 @@ void LightPaths::follow() {
 bool LightPaths::go_on() {
   const Hit& hit = *bundle_.hit;
   absorb(plan_.medium(hit.medium_before), hit.t, bundle_.first, bundle_.last, throughput_.data());
-  const MaterialPlan& material = plan_.materials[hit.material.index()];
+  const MaterialPlan& material = find_material();
   // Light that is spread at once is the camera paths' to find.
   if (bundle_.depth == 0 && !material.specular_part()) return false;
-  scattering_.prepare(material, hit, bundle_.state.ray.direction, bundle_.first, bundle_.last,
-                      throughput_.data(), wavelengths_);
-  if (bundle_.depth > 0 && scattering_.spreads()) {
-    if (camera_) splat(hit);
-    if (photons_) keep(hit);
+  prepare_scattering();
+  if (bundle_.depth > 0) {
+    if (camera_ && scattering_.spreads()) splat(hit);
+    // On a mixture photons are all light that arrives: who looks them up chooses the part.
+    const MaterialPlan& whole = plan_.materials[hit.material.index()];
+    if (photons_ && (whole.mixed() ? whole.lit : scattering_.spreads())) keep(hit);
   }
   const auto [kind, chance] =
       scattering_.choose_specular(scattering_.certain() ? 0.0 : numbers(kScatter).x);
@@ -79,14 +105,12 @@ bool LightPaths::go_on() {
 void LightPaths::splat(const Hit& hit) {
   const auto seen = camera_->project(hit.point);
   if (!seen) return;
-  // One pixel gets all, chosen by the filter, which is symmetric.
-  const dvec2 offset =
-      filter_offset(plan_.settings.filter,
-                    path_sampler_->pair(kPixelPosition +
-                                        kPerSurface * static_cast<std::uint32_t>(bundle_.depth)));
-  const dvec2 place = *seen + offset;
+  const dvec2 u = numbers(kSplat);
+  const FilteredPixel column = filtered_pixel(plan_.settings.filter, seen->x, u.x);
+  const FilteredPixel row = filtered_pixel(plan_.settings.filter, seen->y, u.y);
   const PixelWindow& window = film_.window();
-  if (!(place.x >= window.x0 && place.x < window.x1 && place.y >= window.y0 && place.y < window.y1))
+  if (column.pixel < window.x0 || column.pixel >= window.x1 || row.pixel < window.y0 ||
+      row.pixel >= window.y1)
     return;
   const dvec3 way = camera_->eye() - hit.point;
   const double distance2 = glm::dot(way, way);
@@ -105,11 +129,12 @@ void LightPaths::splat(const Hit& hit) {
          bundle_.last, light_.data());
   const double cos_c = -glm::dot(direction, camera_->forward());
   const double area = camera_->pixel_angle() * camera_->pixel_angle();
-  const double weight = flux_ * share_ / (distance2 * cos_c * cos_c * cos_c * area);
+  const double weight =
+      flux_ * share_ * column.weight * row.weight / (distance2 * cos_c * cos_c * cos_c * area);
   sums_.clear();
   sums_.add(source_, light_.data(), ones_, static_cast<float>(weight), bundle_.first, bundle_.last);
-  film_.add_splat(static_cast<int>(std::floor(place.x)), static_cast<int>(std::floor(place.y)),
-                  sums_.color(), film_.bands() > 0 ? sums_.radiance() : std::span<const float>());
+  film_.add_splat(column.pixel, row.pixel, sums_.color(),
+                  film_.bands() > 0 ? sums_.radiance() : std::span<const float>());
 }
 
 void LightPaths::keep(const Hit& hit) {

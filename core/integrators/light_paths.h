@@ -32,7 +32,6 @@ private:
   Film& film_;
   RadianceSums sums_;
   std::vector<float> light_; ///< scratch
-  const Sampler* path_sampler_ = nullptr;
   int source_ = 0;
   double flux_ = 0.0, share_ = 0.0, photon_share_ = 0.0;
   PhotonBatch* photons_ = nullptr;

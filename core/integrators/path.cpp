@@ -10,8 +10,9 @@ Path::Path(const Plan& plan, const World& world, const Lamps& lamps,
            const LightPasses* light_passes, double pixel_angle)
     : BundleWalk(plan, world, pixel_angle, Transport::radiance), lamps_(lamps),
       photons_(light_passes ? &light_passes->map() : nullptr),
-      emission_(light_passes ? &light_passes->emission() : nullptr), shadow_rays_(plan, world),
-      light_(plan.stride) {}
+      emission_(light_passes ? &light_passes->emission() : nullptr),
+      found_otherwise_(light_passes || plan.settings.shadows == ShadowRule::attenuated),
+      shadow_rays_(plan, world), light_(plan.stride) {}
 
 void Path::trace(const RayState& camera_ray, const std::optional<Hit>& hit, const Sampler& sampler,
                  RadianceSums& sums, RayCounts& counts) {
@@ -39,12 +40,14 @@ void Path::gather() {
   if (!bundle_.hit) {
     absorb(plan_.medium(world_.medium_of(bundle_.state.nesting)), kInfinity, first, last,
            throughput_.data());
-    sums_->add(Plan::kBackground, throughput_.data(), ones_, 1.0f, first, last);
+    const bool suns = !comes_by_mirrors_and_glass() || !found_otherwise_;
+    lamps_.add_sky(bundle_.state.ray.direction, bundle_.density, suns, throughput_.data(), first,
+                   last, *sums_);
     return;
   }
   const Hit& hit = *bundle_.hit;
   absorb(plan_.medium(hit.medium_before), hit.t, first, last, throughput_.data());
-  const MaterialPlan& material = plan_.materials[hit.material.index()];
+  const MaterialPlan& material = find_material();
   if (!material.emits(hit) || found_otherwise(hit)) return;
   double weight = 1.0;
   if (bundle_.density > 0.0)
@@ -56,17 +59,17 @@ void Path::gather() {
 /// True for light that goes from a lamp by mirrors and glass to a surface that spreads it, where
 /// light paths find it, or shadow rays that pass through glass count it in their way.
 bool Path::found_otherwise(const Hit& emitting) const {
-  const bool by_specular_surfaces = bundle_.spread && bundle_.density == 0.0;
-  if (!by_specular_surfaces) return false;
-  return emission_ ? emission_->emits(emitting.shape)
-                   : plan_.settings.shadows == ShadowRule::attenuated;
+  if (!comes_by_mirrors_and_glass() || !found_otherwise_) return false;
+  return !emission_ || emission_->emits(emitting.shape);
+}
+
+bool Path::comes_by_mirrors_and_glass() const {
+  return bundle_.spread && bundle_.density == 0.0;
 }
 
 bool Path::go_on() {
   const Hit& hit = *bundle_.hit;
-  const MaterialPlan& material = plan_.materials[hit.material.index()];
-  scattering_.prepare(material, hit, bundle_.state.ray.direction, bundle_.first, bundle_.last,
-                      throughput_.data(), wavelengths_);
+  prepare_scattering();
   if (scattering_.spreads()) {
     if (!lamps_.empty()) aim_at_a_lamp(hit);
     // What the camera sees directly gets its caustics by splats.
@@ -84,7 +87,7 @@ bool Path::go_on() {
   case ScatterKind::spread:
     break;
   }
-  const auto direction = scattering_.sample(numbers(kDirection));
+  const auto direction = scattering_.sample(numbers(kDirection), numbers(kLobe));
   if (!direction) return false;
   const double density = scattering_.evaluate(*direction, light_.data());
   return density > 0.0 && spread(*direction, light_.data(), density);
@@ -109,22 +112,24 @@ void Path::aim_at_a_lamp(const Hit& hit) {
   if (lamp->density > 0.0) weight *= lamp->density / (lamp->density + density);
   for (int b = first; b < last; ++b)
     light_[static_cast<std::size_t>(b)] *= throughput_[static_cast<std::size_t>(b)] * arriving[b];
+  lamps_.tint(*lamp, first, last, light_.data());
   sums_->add(lamp->source, light_.data(), ones_, static_cast<float>(weight), first, last);
 }
 
 void Path::look_up_photons(const Hit& hit) {
-  photons_->for_each_near(hit, [&](const Photon& photon, const float* flux) {
-    const int first = std::max(bundle_.first, photon.first);
-    const int last = std::min(bundle_.last, photon.last);
-    if (first >= last) return;
-    const double cosine = std::abs(glm::dot(photon.direction, hit.normal));
-    if (!(scattering_.evaluate(-photon.direction, light_.data()) > 0.0)) return;
-    for (int b = first; b < last; ++b)
-      light_[static_cast<std::size_t>(b)] *=
-          throughput_[static_cast<std::size_t>(b)] * flux[b - photon.first];
-    sums_->add(photon.source, light_.data(), ones_,
-               static_cast<float>(photons_->density_factor() / cosine), first, last);
-  });
+  photons_->for_each_near(
+      hit, scattering_.spreads_through(), [&](const Photon& photon, const float* flux) {
+        const int first = std::max(bundle_.first, photon.first);
+        const int last = std::min(bundle_.last, photon.last);
+        if (first >= last) return;
+        const double cosine = std::abs(glm::dot(photon.direction, hit.normal));
+        if (!(scattering_.evaluate(-photon.direction, light_.data()) > 0.0)) return;
+        for (int b = first; b < last; ++b)
+          light_[static_cast<std::size_t>(b)] *=
+              throughput_[static_cast<std::size_t>(b)] * flux[b - photon.first];
+        sums_->add(photon.source, light_.data(), ones_,
+                   static_cast<float>(photons_->density_factor() / cosine), first, last);
+      });
 }
 
 } // namespace abbe

@@ -36,10 +36,13 @@ private:
   void aim_at_a_lamp(const Hit& hit);
   void look_up_photons(const Hit& hit);
   [[nodiscard]] bool found_otherwise(const Hit& emitting) const;
+  /// True after a surface that spreads light and then at least one that mirrors or refracts.
+  [[nodiscard]] bool comes_by_mirrors_and_glass() const;
 
   const Lamps& lamps_;
   const PhotonMap* photons_;
   const Emission* emission_;
+  bool found_otherwise_; ///< whether light by mirrors and glass from lamps is
   ShadowRays shadow_rays_;
   RadianceSums* sums_ = nullptr;
   std::vector<float> light_; ///< scratch: what one source gives

@@ -3,6 +3,7 @@
 #include "geometry/ray_state.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -45,9 +46,9 @@ public:
   [[nodiscard]] double density_factor() const { return density_factor_; }
 
   /// Calls `visit(photon, flux)` for the photons on the same side of the same surface within the
-  /// radius; flux[0] belongs to band photon.first.
+  /// radius, or on both its sides; flux[0] belongs to band photon.first.
   template <class Visit>
-  void for_each_near(const Hit& hit, Visit&& visit) const;
+  void for_each_near(const Hit& hit, bool both_sides, Visit&& visit) const;
 
 private:
   /// The cells of the grid, twice the radius wide, that a ball of the radius can touch.
@@ -63,7 +64,7 @@ private:
 };
 
 template <class Visit>
-void PhotonMap::for_each_near(const Hit& hit, Visit&& visit) const {
+void PhotonMap::for_each_near(const Hit& hit, bool both_sides, Visit&& visit) const {
   if (photons_.empty()) return;
   // A curved surface leaves its tangent plane; another one in front of it is farther off.
   constexpr double kFlatness = 0.25, kLikeNormals = 0.8;
@@ -76,7 +77,8 @@ void PhotonMap::for_each_near(const Hit& hit, Visit&& visit) const {
       const dvec3 way = photon.position - hit.point;
       if (glm::dot(way, way) >= radius_ * radius_) continue;
       if (std::abs(glm::dot(way, normal)) > kFlatness * radius_) continue;
-      if (glm::dot(photon.normal, normal) < kLikeNormals) continue;
+      const double likeness = glm::dot(photon.normal, normal);
+      if ((both_sides ? std::abs(likeness) : likeness) < kLikeNormals) continue;
       visit(photon, flux_.data() + photon.flux);
     }
 }

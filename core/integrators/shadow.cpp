@@ -2,6 +2,7 @@
 
 #include "core/integrators/absorption.h"
 #include "core/materials/dielectric.h"
+#include "core/materials/material_optics.h"
 
 #include <algorithm>
 
@@ -39,13 +40,42 @@ bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
     if (!hit || hit->t >= distance) return true;
     const MaterialPlan& material = plan_.materials[hit->material.index()];
     if (!material.transmits) return false;
+    // The path tracer finds what comes through rough glass by scattering.
+    if (material.roughness > 0.0 && plan_.settings.integrator == Integrator::path) return false;
     const double cos_i = std::min(1.0, std::abs(glm::dot(hit->normal, state.ray.direction)));
-    attenuate_straight(material, cos_i, wavelengths.indices(hit->medium_before),
-                       wavelengths.indices(hit->medium_after), first, last, transmittance_.data());
+    pass(material, *hit, cos_i, first, last, wavelengths, transmittance_);
     state.ray.origin = hit->point;
     state.contacts = hit->other_side;
     state.nesting = hit->nesting_after;
     distance -= hit->t;
+  }
+}
+
+/// A mixture lets through the mean of what its parts do.
+void ShadowRays::pass(const MaterialPlan& material, const Hit& hit, double cos_i, int first,
+                      int last, PathWavelengths& wavelengths, std::vector<float>& light) {
+  if (!material.mixed()) {
+    if (!material.transmits)
+      std::fill(light.begin() + first, light.begin() + last, 0.0f);
+    else if (material.film >= 0)
+      attenuate_straight(
+          material_optics(material, hit.medium_before, hit.medium_after, wavelengths), cos_i, first,
+          last, light.data());
+    else
+      attenuate_straight(material, cos_i, wavelengths.indices(hit.medium_before),
+                         wavelengths.indices(hit.medium_after), first, last, light.data());
+    return;
+  }
+  const MixturePlan& mix = material.mixture;
+  std::vector<float> other = light;
+  pass(plan_.materials[static_cast<std::size_t>(mix.first)], hit, cos_i, first, last, wavelengths,
+       light);
+  pass(plan_.materials[static_cast<std::size_t>(mix.second)], hit, cos_i, first, last, wavelengths,
+       other);
+  const auto share = static_cast<float>(mix.share);
+  for (int b = first; b < last; ++b) {
+    const auto i = static_cast<std::size_t>(b);
+    light[i] = share * light[i] + (1.0f - share) * other[i];
   }
 }
 

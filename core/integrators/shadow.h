@@ -22,6 +22,8 @@ public:
 private:
   [[nodiscard]] bool attenuate(RayState state, double distance, int first, int last,
                                PathWavelengths& wavelengths, RayCounts& counts);
+  void pass(const MaterialPlan& material, const Hit& hit, double cos_i, int first, int last,
+            PathWavelengths& wavelengths, std::vector<float>& light);
 
   const Plan& plan_;
   const World& world_;

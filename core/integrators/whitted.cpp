@@ -2,11 +2,15 @@
 
 #include "core/integrators/absorption.h"
 #include "core/lights/illumination.h"
+#include "core/materials/coated_diffuse.h"
 #include "core/materials/conductor.h"
 #include "core/materials/fresnel.h"
+#include "core/materials/material_optics.h"
+#include "core/materials/surface_finish.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace abbe {
 namespace {
@@ -18,10 +22,12 @@ constexpr double kSurePart = 1.0 / 8.0;
 
 } // namespace
 
-Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, double pixel_angle)
-    : scene_(scene), plan_(plan), world_(world), wavelengths_(plan), fan_(plan, world, pixel_angle),
-      shadow_rays_(plan, world), ones_(1.0f, plan.grid.count()), throughput_(plan.stride),
-      lit_(plan.stride) {
+Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
+                 double pixel_angle)
+    : scene_(scene), plan_(plan), world_(world), lamps_(lamps), wavelengths_(plan),
+      fan_(plan, world, pixel_angle), shadow_rays_(plan, world), ones_(1.0f, plan.grid.count()),
+      textured_(0.0f, plan.grid.count()), throughput_(plan.stride), lit_(plan.stride),
+      coated_(plan.stride) {
   scatter_.reflected.resize(plan.stride);
   scatter_.transmitted.resize(plan.stride);
 }
@@ -51,32 +57,54 @@ void Whitted::trace(const RayState& camera_ray, const std::optional<Hit>& hit,
     const float* stored = row(waiting_.size() - 1);
     std::copy(stored + bundle.first, stored + bundle.last, throughput_.begin() + bundle.first);
     waiting_.pop_back();
-    shade(bundle, sums, counts);
-    if (bundle.hit && bundle.depth < plan_.settings.max_depth) scatter(bundle, u.y, counts);
+    if (!bundle.hit) {
+      add_background(bundle, sums);
+      continue;
+    }
+    const MaterialPlan* material = &plan_.materials[bundle.hit->material.index()];
+    if (material->mixed()) material = &part_of(plan_, *material, decisions_.next());
+    shade(bundle, *material, sums, counts);
+    if (bundle.depth < plan_.settings.max_depth) scatter(bundle, *material, u.y, counts);
   }
 }
 
-void Whitted::shade(const Bundle& bundle, RadianceSums& sums, RayCounts& counts) {
+void Whitted::add_background(const Bundle& bundle, RadianceSums& sums) {
+  absorb(plan_.medium(world_.medium_of(bundle.state.nesting)), kInfinity, bundle.first, bundle.last,
+         throughput_.data());
+  lamps_.add_sky(bundle.state.ray.direction, 0.0, true, throughput_.data(), bundle.first,
+                 bundle.last, sums);
+}
+
+void Whitted::shade(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
+                    RayCounts& counts) {
   const auto add = [&](int source, const BandTable& factor) {
     sums.add(source, throughput_.data(), factor, 1.0f, bundle.first, bundle.last);
   };
-  if (!bundle.hit) {
-    absorb(plan_.medium(world_.medium_of(bundle.state.nesting)), kInfinity, bundle.first,
-           bundle.last, throughput_.data());
-    add(Plan::kBackground, ones_);
-    return;
-  }
   const Hit& hit = *bundle.hit;
   absorb(plan_.medium(hit.medium_before), hit.t, bundle.first, bundle.last, throughput_.data());
-  const MaterialPlan& material = plan_.materials[hit.material.index()];
   if (material.emits(hit)) add(material.emission_source, ones_);
   if (!material.ambient.zero()) add(Plan::kAmbient, material.ambient);
   if (material.lit) add_lamps(bundle, material, sums, counts);
 }
 
+/// What arrives of a lamp's light, `lit_`, sent back by a coated ground, with lambert's cosine. The
+/// thesis's lamps give pi times the light that a diffuse surface of theirs would need.
+const float* Whitted::diffuse_under_coat(const Bundle& bundle, const MaterialPlan& material,
+                                         const BandTable& diffuse, double cos_o, double cos_i) {
+  const auto at = [](double mu) { return dvec3{std::sqrt(std::max(0.0, 1.0 - mu * mu)), 0.0, mu}; };
+  const SurfaceOptics optics =
+      material_optics(material, bundle.hit->medium_before, bundle.hit->medium_after, wavelengths_);
+  (void)evaluate_coated_diffuse({diffuse.data(), std::nullopt, nullptr}, optics, at(cos_o),
+                                at(cos_i), {bundle.first, bundle.last}, coated_.data());
+  for (int b = bundle.first; b < bundle.last; ++b)
+    coated_[static_cast<std::size_t>(b)] *= lit_[static_cast<std::size_t>(b)];
+  return coated_.data();
+}
+
 void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
                         RayCounts& counts) {
   const Hit& hit = *bundle.hit;
+  const BandTable& diffuse = diffuse_at(plan_, world_, material, hit, textured_);
   const dvec3 to_eye = -bundle.state.ray.direction;
   const dvec3 normal = hit.entering ? hit.normal : -hit.normal;
   for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
@@ -90,8 +118,14 @@ void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, Radi
     for (int b = bundle.first; b < bundle.last; ++b)
       lit_[static_cast<std::size_t>(b)] = throughput_[static_cast<std::size_t>(b)] * arriving[b];
     const int source = plan_.light_source(i);
-    if (!material.diffuse.zero())
-      sums.add(source, lit_.data(), material.diffuse, static_cast<float>(light.strength * lambert),
+    if (material.coat >= 0 && !diffuse.zero())
+      sums.add(source,
+               diffuse_under_coat(bundle, material, diffuse,
+                                  std::min(1.0, glm::dot(to_eye, normal)), std::min(1.0, lambert)),
+               ones_, static_cast<float>(light.strength * std::numbers::pi), bundle.first,
+               bundle.last);
+    else if (!diffuse.zero())
+      sums.add(source, lit_.data(), diffuse, static_cast<float>(light.strength * lambert),
                bundle.first, bundle.last);
     if (!material.specular.zero()) {
       const dvec3 half = glm::normalize(to_eye + light.direction);
@@ -125,11 +159,21 @@ double Whitted::chance(double importance, int bands) const {
   return std::min(1.0, sub_bundles / kSurePart);
 }
 
-void Whitted::scatter(const Bundle& bundle, double choice, RayCounts& counts) {
+void Whitted::scatter(const Bundle& bundle, const MaterialPlan& material, double choice,
+                      RayCounts& counts) {
   const Hit& hit = *bundle.hit;
-  const MaterialPlan& material = plan_.materials[hit.material.index()];
   if (!material.reflects && !material.transmits) return;
   const double cos_i = std::min(1.0, std::abs(glm::dot(hit.normal, bundle.state.ray.direction)));
+  if (material.film >= 0 || material.coat >= 0) {
+    const SurfaceOptics optics =
+        material_optics(material, hit.medium_before, hit.medium_after, wavelengths_);
+    scatter_smooth(optics, cos_i, bundle.first, bundle.last, Transport::radiance,
+                   scatter_.reflected.data(),
+                   material.transmits ? scatter_.transmitted.data() : nullptr);
+    if (material.reflects) reflect(bundle, scatter_.reflected.data(), counts);
+    if (material.transmits) refract(bundle, choice, counts);
+    return;
+  }
   if (material.conductor) {
     reflect_conductor(material, cos_i, wavelengths_.indices(hit.medium_before), bundle.first,
                       bundle.last, scatter_.reflected.data());

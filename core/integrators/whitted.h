@@ -3,6 +3,7 @@
 #include "core/fan.h"
 #include "core/integrators/integrator.h"
 #include "core/integrators/shadow.h"
+#include "core/lights/lamps.h"
 #include "core/materials/dielectric.h"
 
 #include <vector>
@@ -14,7 +15,9 @@ namespace abbe {
 /// rays.
 class Whitted final : public CameraIntegrator {
 public:
-  Whitted(const Scene& scene, const Plan& plan, const World& world, double pixel_angle);
+  /// Keeps references to all.
+  Whitted(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
+          double pixel_angle);
 
   void trace(const RayState& camera_ray, const std::optional<Hit>& hit, const Sampler& sampler,
              RadianceSums& sums, RayCounts& counts) override;
@@ -24,10 +27,16 @@ private:
   void push(const Bundle& bundle, const float* throughput, float factor);
   [[nodiscard]] float* row(std::size_t i) { return throughputs_.data() + i * plan_.stride; }
 
-  void shade(const Bundle& bundle, RadianceSums& sums, RayCounts& counts);
+  void add_background(const Bundle& bundle, RadianceSums& sums);
+  void shade(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
+             RayCounts& counts);
+  [[nodiscard]] const float* diffuse_under_coat(const Bundle& bundle, const MaterialPlan& material,
+                                                const BandTable& diffuse, double cos_o,
+                                                double cos_i);
   void add_lamps(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
                  RayCounts& counts);
-  void scatter(const Bundle& bundle, double choice, RayCounts& counts);
+  void scatter(const Bundle& bundle, const MaterialPlan& material, double choice,
+               RayCounts& counts);
   void reflect(const Bundle& bundle, const float* factors, RayCounts& counts);
   void refract(const Bundle& bundle, double choice, RayCounts& counts);
   [[nodiscard]] double importance(const float* throughput, const float* factors, int first,
@@ -37,17 +46,19 @@ private:
   const Scene& scene_;
   const Plan& plan_;
   const World& world_;
+  const Lamps& lamps_; ///< of which only the sky is seen
   PathWavelengths wavelengths_;
   Fan fan_;
   ShadowRays shadow_rays_;
   DielectricScatter scatter_;
-  BandTable ones_;
+  BandTable ones_, textured_;
   DecisionStream decisions_;
 
   std::vector<Bundle> waiting_;
   std::vector<float> throughputs_; ///< rows of Plan::stride values, one per waiting bundle
   std::vector<float> throughput_;  ///< of the bundle being shaded
   std::vector<float> lit_;         ///< the same after a shadow ray
+  std::vector<float> coated_;      ///< the same after a coat, there and back
 };
 
 } // namespace abbe

@@ -1,6 +1,6 @@
 #include "core/lights/emission.h"
 
-#include "core/lights/cones.h"
+#include "core/lights/cone.h"
 #include "core/lights/illumination.h"
 #include "core/plan_extent.h"
 #include "geometry/surface_sample.h"
@@ -52,7 +52,7 @@ DirectionSample towards(const std::vector<EmissionTarget>& targets, const dvec3&
     const Cone other =
         i == chosen ? cone : cone_to_ball(place, targets[i].center, targets[i].radius);
     // Rounding must not put a direction outside the cone it was drawn from.
-    if (i == chosen || other.contains(direction)) density += 1.0 / other.solid_angle();
+    if (i == chosen || other.holds(direction)) density += 1.0 / other.solid_angle();
   }
   return {direction, density / static_cast<double>(targets.size())};
 }
@@ -65,7 +65,7 @@ Cone cone_of(const SpotLight& spot) {
 /// True when the cones have a direction in common.
 bool overlap(const Cone& a, const Cone& b) {
   const auto half_angle = [](const Cone& c) {
-    return std::acos(std::clamp(1.0 - c.one_minus_cosine, -1.0, 1.0));
+    return std::acos(std::clamp(1.0 - c.one_minus_cos, -1.0, 1.0));
   };
   const double between = std::acos(std::clamp(glm::dot(a.axis, b.axis), -1.0, 1.0));
   return between <= half_angle(a) + half_angle(b);
@@ -81,7 +81,9 @@ double solid_angles(const std::vector<EmissionTarget>& targets, const dvec3& pla
 } // namespace
 
 bool endless_flux(const Light& light) {
-  return light.falloff == Falloff::none && !std::holds_alternative<DirectionalLight>(light.emitter);
+  return light.falloff == Falloff::none &&
+         !std::holds_alternative<DirectionalLight>(light.emitter) &&
+         !std::holds_alternative<SunLight>(light.emitter);
 }
 
 std::vector<EmissionTarget> specular_targets(const Scene& scene, const Plan& plan) {
@@ -135,7 +137,7 @@ Emission::Emission(const Scene& scene, const Plan& plan)
   }
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     const PlacedShape& placed = scene.shapes[i];
-    if (!placed.material.valid() || !can_sample_surface(placed.shape)) continue;
+    if (!placed.material.valid() || !has_sampled_points(placed.shape)) continue;
     const MaterialPlan& material = plan.materials[placed.material.index()];
     if (material.emission_source < 0) continue;
     const double value = mean_of(scene.materials[placed.material.index()].emission, plan.grid);
@@ -193,6 +195,7 @@ std::optional<EmittedRay> Emitter::sample(const Sampler& sampler) const {
   if (const auto* point = std::get_if<PointLight>(&light.emitter))
     return from_point(point->position, sampler);
   if (const auto* spot = std::get_if<SpotLight>(&light.emitter)) return from_spot(*spot, sampler);
+  if (const auto* sun = std::get_if<SunLight>(&light.emitter)) return from_sun(*sun, sampler);
   return from_afar(std::get<DirectionalLight>(light.emitter).direction, sampler);
 }
 
@@ -221,6 +224,16 @@ std::optional<EmittedRay> Emitter::from_spot(const SpotLight& spot, const Sample
   ray.state.nesting = nesting_;
   ray.source = source_;
   ray.flux = shine / way.density;
+  return ray;
+}
+
+/// A direction of the disc, and parallel light along it.
+std::optional<EmittedRay> Emitter::from_sun(const SunLight& sun, const Sampler& sampler) const {
+  const double sine = std::sin(sun.angular_radius);
+  const Cone disc = Cone::of_sine(sun.direction, sine * sine);
+  auto ray = from_afar(disc.sample(sampler.pair(kEmissionDirection)), sampler);
+  // Irradiance: the disc's radiance times its solid angle, where from_afar took pi.
+  ray->flux *= sun.radiance_per_value() / disc.density() / kPi;
   return ray;
 }
 

@@ -38,6 +38,8 @@ private:
                                                      const Sampler& sampler) const;
   [[nodiscard]] std::optional<EmittedRay> from_spot(const SpotLight& spot,
                                                     const Sampler& sampler) const;
+  [[nodiscard]] std::optional<EmittedRay> from_sun(const SunLight& sun,
+                                                   const Sampler& sampler) const;
   [[nodiscard]] std::optional<EmittedRay> from_afar(const dvec3& direction,
                                                     const Sampler& sampler) const;
   [[nodiscard]] std::optional<EmittedRay> from_shape(const PlacedShape& placed,

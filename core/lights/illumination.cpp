@@ -27,6 +27,10 @@ Illumination seen(const DirectionalLight& lamp, Falloff, const dvec3&) {
   return {-lamp.direction, std::numeric_limits<double>::infinity(), 1.0};
 }
 
+Illumination seen(const SunLight& lamp, Falloff, const dvec3&) {
+  return {-lamp.direction, std::numeric_limits<double>::infinity(), 1.0};
+}
+
 Illumination seen(const SpotLight& lamp, Falloff falloff, const dvec3& point) {
   Illumination light = from_position(lamp.position, falloff, point);
   light.strength *= brightness_towards(lamp, -light.direction);

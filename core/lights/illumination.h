@@ -16,6 +16,7 @@ struct Illumination {
 /// The part, 0 to 1, of a spotlight's full brightness that goes along a unit direction.
 [[nodiscard]] double brightness_towards(const SpotLight& spot, const dvec3& direction);
 
+/// As if from one direction: a sun counts as parallel light from the middle of its disc.
 [[nodiscard]] Illumination illumination(const Light& light, const dvec3& point);
 
 } // namespace abbe

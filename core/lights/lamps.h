@@ -1,16 +1,14 @@
 #pragma once
 
-#include "core/plan.h"
+#include "core/lights/cone.h"
+#include "core/lights/sampled_surface.h"
+#include "core/radiance_sums.h"
 #include "geometry/ray_state.h"
-
-#include <glm/vec2.hpp>
 
 #include <optional>
 #include <vector>
 
 namespace abbe {
-
-using glm::dvec2;
 
 /// A lamp as chosen for a place that it may light.
 struct LampSample {
@@ -22,7 +20,8 @@ struct LampSample {
   /// Factor on the source's spectrum: radiance over density; for lamps without extent irradiance
   /// at normal incidence over the chance of having chosen this lamp.
   double weight = 0.0;
-  int source = 0; ///< index into Plan::sources
+  int source = 0;           ///< index into Plan::sources
+  bool environment = false; ///< the picture's colour of this direction counts too
 };
 
 /// Everything that can be aimed at to light a place: the scene's lights, and shapes whose finish
@@ -45,10 +44,27 @@ public:
   /// to an emitting surface that a ray met. 0 for surfaces that are not aimed at.
   [[nodiscard]] double density(const dvec3& place, const Hit& hit) const;
 
+  /// Multiplies the light of a sample per band by what is not in its weight and its source: the
+  /// colour of an environment.
+  void tint(const LampSample& lamp, int first, int last, float* light) const {
+    if (lamp.environment) plan_.environment->scale(lamp.direction, first, last, light);
+  }
+
+  /// Adds what a ray sees that leaves the scene along a unit direction: the background, the discs
+  /// of suns (unless they are found otherwise), and the environment, each weighed against `sample`
+  /// where the ray was spread with this density per steradian (0: it was not). The ray ends there:
+  /// its throughput is changed.
+  void add_sky(const dvec3& direction, double density, bool suns, float* throughput, int first,
+               int last, RadianceSums& sums) const;
+
 private:
   struct Lamp {
-    int light = -1; ///< index into Scene::lights; negative: a shape
-    ShapeId shape;
+    int light = -1;                        ///< index into Scene::lights; negative: a shape
+    std::optional<SampledSurface> surface; ///< of a shape
+    bool solid = false;                    ///< the shape gives light off outwards only
+    std::optional<Cone> disc;              ///< of a sun
+    double radiance = 0.0;                 ///< of that disc, per unit of the spectrum
+    bool environment = false;
     int source = 0;
     double power = 0.0;
     double chance = 0.0;     ///< of being chosen
@@ -56,14 +72,16 @@ private:
   };
   void add_lights();
   void add_shapes();
+  void add_environment();
   void share_chances();
   [[nodiscard]] std::optional<LampSample> sample_light(const Lamp& lamp, const dvec3& place) const;
-  [[nodiscard]] std::optional<LampSample> sample_shape(const Lamp& lamp, const dvec3& place,
-                                                       const dvec2& u) const;
 
   const Scene& scene_;
   const Plan& plan_;
+  BandTable ones_;
   std::vector<Lamp> lamps_;
+  std::vector<int> suns_;          ///< the lamps that are suns
+  int environment_ = -1;           ///< the lamp that is the environment
   std::vector<int> lamp_of_shape_; ///< by ShapeId; negative: none
 };
 

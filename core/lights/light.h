@@ -4,7 +4,9 @@
 
 #include <glm/vec3.hpp>
 
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <variant>
 
@@ -31,6 +33,18 @@ struct SpotLight {
   double full_angle = 0.5;
 };
 
+/// A disc of directions from which parallel light comes. Irradiance is that of parallel light of
+/// the same value; the radiance of the disc follows from it: pi value = radiance pi sin^2 radius.
+struct SunLight {
+  dvec3 direction{0.0, 0.0, -1.0}; ///< unit, along which its light travels
+  double angular_radius = 0.2665 * std::numbers::pi / 180.0; ///< the sun's mean one [Cox00]
+
+  [[nodiscard]] double radiance_per_value() const {
+    const double sine = std::sin(angular_radius);
+    return 1.0 / (sine * sine);
+  }
+};
+
 /// `none`: the thesis's and Hill's lights; irradiance at normal incidence is pi times the value,
 /// at any distance. `square`: the value is radiant intensity; irradiance falls with distance
 /// squared.
@@ -40,7 +54,7 @@ struct Light {
   std::string name;
   Curve spectrum = Curve::constant(1.0); ///< value per wavelength, intensity included
   Falloff falloff = Falloff::none;
-  std::variant<PointLight, DirectionalLight, SpotLight> emitter;
+  std::variant<PointLight, DirectionalLight, SpotLight, SunLight> emitter;
 };
 
 } // namespace abbe

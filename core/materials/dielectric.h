@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/materials/transport.h"
 #include "core/plan.h"
 
 namespace abbe {
@@ -9,9 +10,6 @@ struct DielectricScatter {
   std::vector<float> reflected;   ///< factor on radiance that comes by reflection
   std::vector<float> transmitted; ///< factor on radiance that comes through; 0 under TIR
 };
-
-/// What a path carries: radiance, from the camera, or flux, from a lamp.
-enum class Transport : std::uint8_t { radiance, flux };
 
 /// Fills [first, last) of `scatter`. `n_before` and `n_after` are indices per band on the side of
 /// the camera and behind the boundary. Radiance that comes through is scaled by

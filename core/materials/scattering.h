@@ -2,6 +2,7 @@
 
 #include "core/frame.h"
 #include "core/materials/dielectric.h"
+#include "core/materials/surface_optics.h"
 #include "core/path_wavelengths.h"
 #include "geometry/ray_state.h"
 
@@ -24,13 +25,20 @@ class Scattering {
 public:
   Scattering(const Plan& plan, Transport transport);
 
-  /// Prepares for bands [first, last) of a ray along `direction` that meets `hit`. The parts are
-  /// chosen in proportion to what they would bring of `throughput`, summed over the bands.
-  void prepare(const MaterialPlan& material, const Hit& hit, const dvec3& direction, int first,
-               int last, const float* throughput, PathWavelengths& wavelengths);
+  /// Prepares for bands [first, last) of a ray along `direction` that meets `hit`, where the
+  /// diffuse reflectance is `diffuse` (see diffuse_at), which stays in use. The parts are chosen in
+  /// proportion to what they would bring of `throughput`, summed over the bands; bands without
+  /// throughput take no part in what follows. Keeps references to all.
+  void prepare(const MaterialPlan& material, const BandTable& diffuse, const Hit& hit,
+               const dvec3& direction, int first, int last, const float* throughput,
+               PathWavelengths& wavelengths);
 
   /// True when some of the light is spread, so that lamps can be aimed at.
   [[nodiscard]] bool spreads() const { return spread_ > 0.0; }
+  /// True when some of it comes from the other side of the surface.
+  [[nodiscard]] bool spreads_through() const {
+    return spreads() && facets_ > 0.0 && material_->transmits;
+  }
 
   /// True when there is but one part, or none, to choose.
   [[nodiscard]] bool certain() const {
@@ -54,26 +62,41 @@ public:
   /// `f_cos` with the scattering function times the cosine. Returns the density per steradian with
   /// which `sample` chooses the direction, the chance of choosing the part included; 0 where
   /// nothing is scattered.
-  double evaluate(const dvec3& towards, float* f_cos) const;
+  double evaluate(const dvec3& towards, float* f_cos);
 
-  /// A direction from which the spreading part brings light, for two numbers in [0, 1); the part
-  /// has been chosen already. Nothing where the direction has no light to bring.
-  [[nodiscard]] std::optional<dvec3> sample(const dvec2& u) const;
+  /// A direction from which the spreading part brings light, for four numbers in [0, 1): `u` gives
+  /// the direction, `lobe` the way and the band by which a rough surface sends it. The part has
+  /// been chosen already. Nothing where the direction has no light to bring.
+  [[nodiscard]] std::optional<dvec3> sample(const dvec2& u, const dvec2& lobe) const;
 
 private:
-  void find_smooth_parts(const float* throughput, PathWavelengths& wavelengths);
+  void find_smooth_parts(PathWavelengths& wavelengths);
+  void find_spreading_parts();
+  [[nodiscard]] bool rough() const;
+  [[nodiscard]] double brought(const float* factors) const;
+  double evaluate_facets(const dvec3& local, float* f_cos) const;
+  [[nodiscard]] std::optional<dvec3> sample_facets(const dvec2& u, const dvec2& lobe) const;
+  double evaluate_diffuse(const dvec3& local, float* f_cos) const;
+  [[nodiscard]] std::optional<dvec3> sample_diffuse(const dvec2& u, const dvec2& lobe) const;
+  [[nodiscard]] dvec3 sample_phong(const dvec2& u) const;
+  [[nodiscard]] int live_band(double choice) const;
   [[nodiscard]] double phong_density(const dvec3& local) const;
 
   const Plan& plan_;
   Transport transport_;
   const MaterialPlan* material_ = nullptr;
+  const BandTable* diffuse_ = nullptr;
   const Hit* hit_ = nullptr;
+  const float* throughput_ = nullptr;
+  SurfaceOptics optics_;
   int first_ = 0, last_ = 0;
   Frame frame_{dvec3(0.0, 0.0, 1.0)}; ///< z: the normal on the side that the ray comes from
   dvec3 to_eye_{0.0};                 ///< in that frame
   DielectricScatter factors_;
   double reflect_ = 0.0, refract_ = 0.0, spread_ = 0.0; ///< chances of the parts
-  double lambert_ = 1.0;                                ///< chance of Lambert's, given spread
+  double facets_ = 0.0;  ///< chance of a rough surface's facets, given spread
+  double lambert_ = 1.0; ///< chance of the diffuse part against the highlight, given neither
+  std::vector<float> facet_light_; ///< scratch
 };
 
 } // namespace abbe

@@ -2,6 +2,7 @@
 #include "tests/catch.h"
 #include "tests/render_text.h"
 
+#include <limits>
 #include <set>
 
 using namespace abbe;
@@ -101,6 +102,23 @@ TEST_CASE("a spectral image has one plane per band, and the colour picture as a 
   CHECK(image.rgba == develop_scene_linear(p.film, p.plan).rgba);
 }
 
+TEST_CASE("a film that keeps errors adds samples and the error of the luminance") {
+  const Scene scene = test::scene_from("imageSize 2 1 background E 1");
+  const Plan plan = make_plan(scene, scene.settings);
+  CHECK(develop_scene_linear(Film({0, 0, 2, 1}, 0x1p-40, 0), plan).channels.empty());
+  Film film({0, 0, 2, 1}, 0x1p-40, 0, true);
+  film.add(0, 0, {0.0, 1.0, 0.0}, true, {});
+  film.add(0, 0, {0.0, 3.0, 0.0}, true, {});
+  film.add(1, 0, {0.0, 3.0, 0.0}, true, {});
+  const SceneLinearImage image = develop_scene_linear(film, plan);
+  REQUIRE(image.channels.size() == 2);
+  CHECK(image.channels[0].name == "samples");
+  CHECK(image.channels[0].values == std::vector<float>{2.0f, 1.0f});
+  CHECK(image.channels[1].name == "error.Y");
+  CHECK(image.channels[1].values ==
+        std::vector<float>{1.0f, std::numeric_limits<float>::infinity()}); // half of 3 - 1
+}
+
 TEST_CASE("metadata name every setting that shapes the picture and nothing of the machine") {
   const Scene scene = test::scene_from("sphere");
   const auto metadata = [&](auto change) {
@@ -129,6 +147,8 @@ TEST_CASE("metadata name every setting that shapes the picture and nothing of th
   CHECK(tells([](RenderSettings& s) { s.exact = true; }));
   CHECK(tells([](RenderSettings& s) { s.tolerance_pixels = 2.0; }));
   CHECK(tells([](RenderSettings& s) { s.max_fan = 3; }));
+  CHECK(tells([](RenderSettings& s) { s.noise = 0.1; }));
+  CHECK(tells([](RenderSettings& s) { s.seconds = 9.0; }));
   CHECK_FALSE(tells([](RenderSettings& s) { s.threads = 7; }));
   CHECK_FALSE(tells([](RenderSettings& s) { s.tracing = Tracing::single; }));
   CHECK_FALSE(tells([](RenderSettings& s) { s.skip = false; }));

@@ -2,6 +2,7 @@
 #include "tests/catch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 #include <vector>
@@ -110,4 +111,53 @@ TEST_CASE("the tally of refused samples does not wrap") {
   for (int i = 0; i < 70000; ++i)
     film.add(0, 0, {kNan, 0.0, 0.0}, true, {});
   CHECK(film.refused().not_finite == 70000);
+}
+
+namespace {
+
+Film film_of(const std::vector<double>& samples) {
+  Film film({0, 0, 1, 1}, kQuantum, 0, true);
+  for (const double v : samples)
+    film.add(0, 0, {v, 2.0 * v, 4.0 * v}, true, {});
+  return film;
+}
+
+} // namespace
+
+// Parts of a and b samples with means A and B: sqrt(a b) / (a + b) |A - B|.
+TEST_CASE("the error is the difference of the first samples and the rest") {
+  const auto error = [](const std::vector<double>& samples) {
+    return film_of(samples).error(0, 0);
+  };
+  CHECK(error({1, 3}).x == 1.0);
+  CHECK(error({1, 3}).y == 2.0);
+  CHECK(error({1, 3}).z == 4.0);
+  CHECK(error({1, 3, 5}).x == Approx(std::sqrt(2.0) / 3.0 * 3.0));          // 2 | 5
+  CHECK(error({1, 3, 5, 5}).x == Approx(0.5 * 3.0));                        // 2 | 5
+  CHECK(error({1, 3, 5, 7, 8}).x == Approx(2.0 / 5.0 * 4.0));               // 4 | 8
+  CHECK(error({1, 3, 5, 7, 8, 2}).x == Approx(std::sqrt(8.0) / 6.0 * 1.0)); // 4 | 5
+  CHECK(error({0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1}).x == 0.0);
+  CHECK(error({}).y == kInfinite);
+  CHECK(error({1}).y == kInfinite);
+  CHECK(film_of({}).keeps_errors());
+  CHECK_FALSE(one_pixel().keeps_errors());
+}
+
+// The error's square has the mean of the variance of the mean, here (1/12)/n. The square of one
+// degree of freedom has a standard deviation of sqrt(2) of it: 2 % over 5000 pixels.
+TEST_CASE("the error of independent samples is that of their mean") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> value(0.0, 1.0);
+  for (const int n : {2, 3, 5, 16, 24}) {
+    INFO(n);
+    double squares = 0.0;
+    for (int pixel = 0; pixel < 5000; ++pixel) {
+      std::vector<double> samples(static_cast<std::size_t>(n));
+      for (double& s : samples)
+        s = value(random);
+      const double error = film_of(samples).error(0, 0).x;
+      squares += error * error / 5000.0;
+    }
+    CHECK(squares * n == Approx(1.0 / 12.0).epsilon(0.08));
+  }
 }

@@ -50,3 +50,22 @@ TEST_CASE("bands taken as one have the index at the path's place in their range"
     CHECK(wavelengths.shared_index(MediumId{0}, 10, 18) >= wavelengths.indices(MediumId{0})[17]);
   }
 }
+
+TEST_CASE("films and coats are looked up at the same wavelengths") {
+  Scene scene;
+  Material coated;
+  coated.coat = flint();
+  scene.media = {{"water", ConstantIndex{1.33}, {}}};
+  scene.materials = {coated};
+  const Plan plan = make_plan(scene, {});
+  PathWavelengths wavelengths(plan);
+  for (const double offset : {0.5, 0.0, 0.999}) {
+    wavelengths.begin_path(offset);
+    for (int b = 0; b < 81; ++b) {
+      const double nm = 377.5 + 5.0 * (b + offset);
+      CHECK(wavelengths.wavelengths_nm()[b] == Approx(nm).epsilon(1e-12));
+      CHECK(wavelengths.layer_indices(0)[b] == Approx(refractive_index(flint(), nm)).margin(1e-7));
+      CHECK(wavelengths.indices(MediumId{0})[b] == 1.33);
+    }
+  }
+}

@@ -281,7 +281,9 @@ TEST_CASE("a command line that cannot be understood ends with 2") {
       {"--transfer", "log"},  {"--white-point", "D66"},
       {"--white-point", "1"}, {"--white-point", "0.3,0"},
       {"--white-point", "x"}, {"--white-point", "0.1,0.01"},
-      {"--exr-space", "p3"},
+      {"--exr-space", "p3"},  {"--noise", "1.5"},
+      {"--noise", "nan"},     {"--noise", "-0.1"},
+      {"--time", "-1"},       {"--time", "inf"},
   };
   for (const auto& words : wrong) {
     std::vector<const char*> all{"render", "a.sdl"};

@@ -17,8 +17,9 @@ TEST_CASE("docs/scene_format.md has every keyword with its arguments") {
   const std::string text = manual();
   for (const auto& table :
        {setting_keywords(), display_keywords(), camera_keywords(), transform_keywords(),
-        material_keywords(), light_keywords(), light_path_keywords(), shape_keywords(),
-        lens_keywords(), boolean_keywords(), macro_keywords()})
+        material_keywords(), surface_keywords(), texture_keywords(), mixture_keywords(),
+        light_keywords(), light_path_keywords(), shape_keywords(), lens_keywords(),
+        boolean_keywords(), macro_keywords()})
     for (const SceneKeyword& keyword : table) {
       INFO(keyword.usage);
       CHECK(text.find("- `" + std::string(keyword.usage) + "`:") != std::string::npos);

@@ -1,6 +1,7 @@
 #include "tests/io/read_scene_helpers.h"
 
 #include "spectral/illuminant.h"
+#include "spectral/radiator.h"
 #include "spectral/rgb_spectrum.h"
 #include "tests/catch.h"
 
@@ -88,6 +89,38 @@ TEST_CASE("directions of any length are made unit") {
   for (const std::size_t i : {0U, 1U})
     CHECK(std::get<DirectionalLight>(scene.lights.at(i).emitter).direction == dvec3(0, -1, 0));
   CHECK(std::get<SpotLight>(scene.lights.at(2).emitter).axis == dvec3(0, 0, 1));
+}
+
+TEST_CASE("a sun comes from a direction, with the spectrum of the sun unless one is named") {
+  const Scene scene = scene_of("sun 0 3 4 sunRadius 2 intensity 3 falloff square\n"
+                               "sun 1 0 0 D65 sun 0 0 1 \"E\" sphere");
+  const auto sun = [&](std::size_t i) { return std::get<SunLight>(scene.lights.at(i).emitter); };
+  CHECK(glm::length(sun(0).direction - dvec3(0, -0.6, -0.8)) < 1e-15);
+  CHECK(sun(0).angular_radius == Approx(0.2665 * kDegree).epsilon(1e-15));
+  CHECK(scene.lights.at(0).spectrum == blackbody(5778.0));
+  CHECK(sun(1).direction == dvec3(-1, 0, 0));
+  CHECK(sun(1).angular_radius == Approx(2.0 * kDegree).epsilon(1e-15));
+  CHECK(scene.lights.at(1).spectrum == find_illuminant("D65")->scaled(3.0));
+  CHECK(scene.lights.at(1).falloff == Falloff::none);
+  CHECK(scene.lights.at(2).spectrum.constant_value() == 3.0);
+  CHECK(scene.shapes.size() == 1);
+}
+
+TEST_CASE("errors of suns") {
+  CHECK(scene_error("sun 0 0 0") ==
+        "s.sdl:1:5: a sun in the direction 0 0 0 (x y z is the direction it comes from). Give a "
+        "direction such as 0 1 0");
+  CHECK(scene_error("sun 0 1 0 D66") ==
+        "s.sdl:1:11: unknown light \"D66\" (there is no lights.filter beside the scene, and no "
+        "lights keyword; no such illuminant). Did you mean D65?");
+  CHECK(scene_error("sun 0 1 0 2") ==
+        "s.sdl:1:11: \"2\" stands where a keyword should (the statement before it has all its "
+        "arguments). Remove it, or check the statement before it");
+  for (const std::string angle : {"0", "91"})
+    CHECK(scene_error("sunRadius " + angle) ==
+          "s.sdl:1:11: " + angle +
+              " is out of range for sunRadius (it is half the angle of a sun's disc, in degrees). "
+              "Give a number from 0.01 to 90");
 }
 
 TEST_CASE("errors of lights") {

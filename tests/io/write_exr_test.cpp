@@ -130,6 +130,30 @@ TEST_CASE("scene-linear EXR has bare R G B A, the crop's windows and the colour 
   }
 }
 
+TEST_CASE("further channels are written in 32 bits beside the colours") {
+  const Folder folder;
+  const fs::path path = folder.path / "picture.exr";
+  constexpr float kOdd = 2049.0f; // no half float
+  for (const ExrPixel pixel : {ExrPixel::half, ExrPixel::single}) {
+    SceneLinearImage image = scene_linear(crop);
+    std::vector<float> samples, error;
+    for (std::size_t i = 0; i < crop.pixel_count(); ++i) {
+      samples.push_back(kOdd + static_cast<float>(i));
+      error.push_back(1e-3f * static_cast<float>(i));
+    }
+    error[0] = std::numeric_limits<float>::infinity();
+    image.channels = {{"samples", samples}, {"error.Y", error}};
+    write_exr(path, image, pixel);
+    CHECK(read_channel(path, "samples") == samples);
+    CHECK(read_channel(path, "error.Y") == error);
+    const Imf::InputFile file(path.c_str());
+    const Imf::ChannelList& channels = file.header().channels();
+    CHECK(channels.findChannel("samples")->type == Imf::FLOAT);
+    CHECK(channels.findChannel("error.Y")->type == Imf::FLOAT);
+    CHECK(channels.findChannel("R")->type == (pixel == ExrPixel::half ? Imf::HALF : Imf::FLOAT));
+  }
+}
+
 TEST_CASE("EXR in another space has its colour tag") {
   const Folder folder;
   const fs::path path = folder.path / "picture.exr";

@@ -72,13 +72,13 @@ TEST_CASE("light paths and camera paths alone make the same caustic") {
                                  "push translate 0 -1 0 rotate -90 1 0 0 scale 3 3 1 square pop\n"
                                  "glass SF11 push translate 0 0.3 0 scale 0.6 0.6 0.6 sphere pop");
   scene.settings.caustics = Caustics::off;
-  const auto camera = test::over_seeds(scene, 24);
+  const auto camera = test::over_seeds(scene, 96);
   scene.settings.caustics = Caustics::automatic;
   scene.settings.samples_per_pixel = 16;
   scene.settings.light_paths = 8.0;
-  const auto both = test::over_seeds(scene, 24);
-  // With 24 seeds the square of each z has the mean 1.1; the mean over 144 pixels strays by 0.15.
-  CHECK(mean_square_z(camera, both) < 1.6);
+  const auto both = test::over_seeds(scene, 96);
+  // The mean over 144 pixels strays by 0.12, and more for the long tails of camera paths.
+  CHECK(mean_square_z(camera, both) < 1.4);
   CHECK(std::abs(total_z(camera, both)) < 4.0);
 }
 

@@ -40,7 +40,7 @@ constexpr Permission kPermissions[] = {
     {"core/", "fmt/"},
     {"core/light_pass.cpp", "tbb/"},
     {"core/render.cpp", "tbb/"},
-    {"core/render.cpp", "immintrin.h"}, // flushes denormal numbers
+    {"core/denormals.h", "immintrin.h"}, // flushes denormal numbers
     {"io/", "io/"},
     {"io/", "core/"},
     {"io/", "geometry/"},
@@ -48,7 +48,12 @@ constexpr Permission kPermissions[] = {
     {"io/", "glm/"},
     {"io/", "fmt/"},
     {"io/command_line.cpp", "CLI/"},
+    {"io/read_environment.cpp", "OpenEXR/"},
+    {"io/read_environment.cpp", "Imath/"}, // a part of OpenEXR
     {"io/read_mesh.cpp", "assimp/"},
+    {"io/read_exr.cpp", "OpenEXR/"},
+    {"io/read_exr.cpp", "Imath/"},
+    {"io/read_png.cpp", "png.h"},
     {"io/write_exr.cpp", "OpenEXR/"},
     {"io/write_exr.cpp", "Imath/"}, // a part of OpenEXR
     {"io/write_tiff.cpp", "tiffio.h"},

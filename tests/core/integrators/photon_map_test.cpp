@@ -51,7 +51,7 @@ TEST_CASE("photons are found once each, and all of them") {
   for (int i = 0; i < 200; ++i) {
     const dvec3 place{unit(random), unit(random), 0.0};
     std::multiset<float> found, expected;
-    map.for_each_near(at(place), [&](const Photon& photon, const float* flux) {
+    map.for_each_near(at(place), false, [&](const Photon& photon, const float* flux) {
       CHECK(flux[1] == 2.0f * flux[0]);
       CHECK(glm::distance(photon.position, place) < kRadius);
       found.insert(flux[0]);
@@ -68,21 +68,23 @@ TEST_CASE("light on the other side, or on a wall nearby, does not count") {
   PhotonBatch batches[] = {scattered(3000, 1, 0)};
   PhotonMap map(true);
   map.build(batches, kRadius);
-  const auto count = [&](const Hit& hit) {
+  const auto count = [&](const Hit& hit, bool both_sides = false) {
     int n = 0;
-    map.for_each_near(hit, [&](const Photon&, const float*) { ++n; });
+    map.for_each_near(hit, both_sides, [&](const Photon&, const float*) { ++n; });
     return n;
   };
   CHECK(count(at({0.0, 0.0, 0.0})) > 0);
   CHECK(count(at({0.0, 0.0, 0.0}, false)) == 0);
+  CHECK(count(at({0.0, 0.0, 0.0}, false), true) == count(at({0.0, 0.0, 0.0})));
   CHECK(count(at({0.0, 0.0, 0.5 * kRadius})) == 0);
   Hit wall = at({0.0, 0.0, 0.0});
   wall.normal = {1.0, 0.0, 0.0};
   CHECK(count(wall) == 0);
+  CHECK(count(wall, true) == 0);
 }
 
 TEST_CASE("an empty map has nothing near") {
   PhotonMap map(true);
   map.build({}, kRadius);
-  map.for_each_near(at(dvec3(0.0)), [](const Photon&, const float*) { FAIL(); });
+  map.for_each_near(at(dvec3(0.0)), false, [](const Photon&, const float*) { FAIL(); });
 }

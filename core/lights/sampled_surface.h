@@ -1,0 +1,102 @@
+#pragma once
+
+#include "geometry/shape.h"
+
+#include <glm/vec2.hpp>
+
+#include <array>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace abbe {
+
+using glm::dvec2;
+
+/// A point of a surface, chosen to be seen from a place.
+struct SeenPoint {
+  dvec3 direction{0.0};  ///< unit, from the place
+  double distance = 0.0; ///< not beyond the surface
+  double density = 0.0;  ///< of the choice, per steradian about the place
+};
+
+// Surfaces in the world, with what does not depend on the place that looks at them computed once.
+// Each has the same three functions:
+//   sample   a point for two numbers in [0, 1); nothing where the one chosen shows its dark side
+//   density  per steradian, with which `sample` would have chosen a point that a ray from `place`
+//            meets on a side that counts, where the outward unit normal is `normal`
+//   area     of the surface
+
+/// A square or disc: uniform in area.
+struct FlatSurface {
+  dvec3 origin, x, y; ///< a corner and two edges, or the centre and two half-axes
+  dvec3 normal;
+  double size; ///< its area
+  bool disc, both_sides;
+
+  [[nodiscard]] std::optional<SeenPoint> sample(const dvec3& place, const dvec2& u) const;
+  [[nodiscard]] double density(const dvec3& place, const dvec3& point, const dvec3& normal) const;
+  [[nodiscard]] double area() const { return size; }
+};
+
+/// A sphere under a similarity: uniform in the cone that it fills.
+struct BallSurface {
+  dvec3 centre;
+  double radius;
+
+  [[nodiscard]] std::optional<SeenPoint> sample(const dvec3& place, const dvec2& u) const;
+  [[nodiscard]] double density(const dvec3& place, const dvec3& point, const dvec3& normal) const;
+  [[nodiscard]] double area() const;
+};
+
+/// A sphere under any other map: uniform in area before the map.
+struct EllipsoidSurface {
+  Transform to_world;
+  double volume_scale; ///< of the map
+
+  [[nodiscard]] std::optional<SeenPoint> sample(const dvec3& place, const dvec2& u) const;
+  [[nodiscard]] double density(const dvec3& place, const dvec3& point, const dvec3& normal) const;
+  /// By a rule of 48 x 48 points.
+  [[nodiscard]] double area() const;
+  [[nodiscard]] double area_density(const dvec3& normal) const;
+};
+
+/// A box: uniform in area on those of its faces, three at most, that turn to the place.
+struct BoxSurface {
+  dvec3 centre;
+  std::array<dvec3, 3> half, normal; ///< half an edge; outwards where it ends
+  std::array<double, 3> height;      ///< from the centre to the face
+  std::array<double, 3> face_area;
+
+  [[nodiscard]] std::optional<SeenPoint> sample(const dvec3& place, const dvec2& u) const;
+  [[nodiscard]] double density(const dvec3& place, const dvec3& point, const dvec3& normal) const;
+  [[nodiscard]] double area() const;
+  /// Of each pair of faces 1 or -1 for the one that turns to the place, 0 for none.
+  [[nodiscard]] std::array<int, 3> seen(const dvec3& place) const;
+  [[nodiscard]] double seen_area(const std::array<int, 3>& sides) const;
+};
+
+/// A mesh: uniform in area over all triangles. The mesh itself is not copied.
+struct MeshSurface {
+  const Mesh* mesh;
+  Transform to_world;
+  std::vector<double> cumulative; ///< areas in the world
+  bool mirrored, both_sides;
+
+  [[nodiscard]] std::optional<SeenPoint> sample(const dvec3& place, const dvec2& u) const;
+  [[nodiscard]] double density(const dvec3& place, const dvec3& point, const dvec3& normal) const;
+  [[nodiscard]] double area() const { return cumulative.back(); }
+};
+
+using SampledSurface =
+    std::variant<FlatSurface, BallSurface, EllipsoidSurface, BoxSurface, MeshSurface>;
+
+/// The surface of a square, disc, sphere, box or mesh; nothing for other shapes, which cannot be
+/// sampled. `both_sides`: those of a shape that is no solid; of solids only the outside counts.
+[[nodiscard]] std::optional<SampledSurface> sampled_surface(const PlacedShape& placed,
+                                                            bool both_sides);
+
+/// True when there is one.
+[[nodiscard]] bool can_sample_surface(const Shape& shape);
+
+} // namespace abbe

@@ -1,0 +1,47 @@
+#include "core/materials/thin_film.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace abbe {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// n cos(theta) of the wave inside a medium: the root that does not grow with depth, for waves
+/// that go as e^{i omega t}. `across` = n sin(theta), the same in all media.
+Complex along_normal(Complex n, double across) {
+  const Complex root = std::sqrt(n * n - across * across);
+  return root.imag() > 0.0 ? -root : root;
+}
+
+/// Airy's sum for one polarisation, from the media's admittances y: r = (y_i - y_t) / (y_i + y_t).
+double airy(Complex y0, Complex y1, Complex y2, Complex turn) {
+  const Complex r01 = (y0 - y1) / (y0 + y1), r12 = (y1 - y2) / (y1 + y2);
+  return std::norm((r01 + r12 * turn) / (1.0 + r01 * r12 * turn));
+}
+
+} // namespace
+
+double thin_film_reflectance(double cos_i, double n_before, double n_film, Complex n_behind,
+                             double thickness_nm, double lambda_nm) {
+  const double across = n_before * std::sqrt(std::max(0.0, 1.0 - cos_i * cos_i));
+  if (n_behind.imag() == 0.0 && across >= n_behind.real()) return 1.0;
+  const double z0 = n_before * cos_i;
+  if (z0 == 0.0) return 1.0;
+  Complex z1 = along_normal(n_film, across);
+  // At the film's critical angle the quotients below are 0 / 0 with a limit. Rounding of n^2 - s^2
+  // leaves z1 uncertain by this much, so it may as well be it.
+  if (z1 == 0.0) z1 = n_film * std::sqrt(std::numeric_limits<double>::epsilon());
+  const Complex z2 = along_normal(n_behind, across);
+  const Complex turn =
+      std::exp(Complex(0.0, -4.0 * std::numbers::pi * thickness_nm / lambda_nm) * z1);
+  const double s = airy(z0, z1, z2, turn);
+  const double p =
+      airy(n_before * n_before / z0, n_film * n_film / z1, n_behind * n_behind / z2, turn);
+  return std::min(1.0, 0.5 * (s + p));
+}
+
+} // namespace abbe
