@@ -334,6 +334,10 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
   plan.tiles = make_tiles(scene, plan.window, settings);
   plan_albedos(plan);
   plan_caustics(scene, plan);
+  plan.disperses = !plan.layers.empty() ||
+                   std::any_of(plan.media.begin(), plan.media.end(), [](const MediumPlan& m) {
+                     return m.drops || !m.index.achromatic();
+                   });
   plan.quantum = film_quantum(scene, plan.grid, settings.observer);
   note_content(scene, plan);
   note_surfaces(plan);

@@ -114,7 +114,8 @@ struct Plan {
   std::vector<Tile> tiles;
   double quantum = 1.0; ///< of the film's sums
 
-  bool caustics = false; ///< light-side passes have something to do
+  bool disperses = false; ///< some medium or layer has an index that changes with wavelength
+  bool caustics = false;  ///< light-side passes have something to do
 
   std::vector<std::string> notes; ///< what was found and what is left out, for people
 

@@ -1,5 +1,6 @@
 #include "core/integrators/bundle_walk.h"
 
+#include "core/band_math.h"
 #include "core/materials/fresnel.h"
 #include "core/materials/surface_finish.h"
 
@@ -9,7 +10,7 @@ namespace abbe {
 namespace {
 
 /// Paths are ended at random from this many surfaces on; before, nearly all carry much.
-constexpr int kSureSurfaces = 3;
+constexpr int kSureSurfaces = 5;
 
 } // namespace
 
@@ -22,10 +23,13 @@ BundleWalk::BundleWalk(const Plan& plan, const World& world, double pixel_angle,
 void BundleWalk::begin(const Sampler& sampler, RayCounts& counts) {
   sampler_ = &sampler;
   counts_ = &counts;
+  if (!plan_.disperses) { // the place inside the bands and the choice of bands have no effect
+    wavelengths_.begin_path(0.5);
+    return;
+  }
   const dvec2 u = sampler.pair(kWavelength);
   wavelengths_.begin_path(plan_.settings.jitter ? u.x : 0.5);
   band_choice_ = u.y;
-  importance_ = 1.0;
 }
 
 dvec2 BundleWalk::numbers(SamplePurpose purpose) const {
@@ -69,23 +73,23 @@ void BundleWalk::scale(const float* factors, double weight) {
     throughput_[static_cast<std::size_t>(b)] *= factors[b] * w;
 }
 
-/// Russian roulette on what the bundle would bring behind its hit: the largest throughput of its
-/// bands. Radiance, but not flux, is n^2 times that outside in a medium of index n.
-bool BundleWalk::survives(MediumId medium) {
+/// What the bundle would bring behind its hit: the largest throughput of its bands. Radiance, but
+/// not flux, is n^2 times that outside in a medium of index n.
+double BundleWalk::importance(MediumId medium) {
   const int first = bundle_.first, last = bundle_.last;
-  float most = 0.0f;
-  for (int b = first; b < last; ++b)
-    most = std::max(most, throughput_[static_cast<std::size_t>(b)]);
-  if (!(most > 0.0f)) return false;
-  importance_ = static_cast<double>(most);
-  if (transport_ == Transport::radiance && medium.valid()) {
-    const double n = wavelengths_.indices(medium)[std::max(first, plan_.live_first)];
-    importance_ *= n * n;
-  }
-  if (bundle_.depth < kSureSurfaces || importance_ >= 1.0) return true;
-  if (numbers(kScatter).y >= importance_) return false;
-  scale(ones_.data(), 1.0 / importance_);
-  importance_ = 1.0;
+  const auto most = static_cast<double>(largest_of(throughput_.data(), first, last));
+  if (transport_ == Transport::flux || !medium.valid()) return most;
+  const double n = wavelengths_.indices(medium)[std::max(first, plan_.live_first)];
+  return most * n * n;
+}
+
+/// Russian roulette on the importance.
+bool BundleWalk::survives(MediumId medium) {
+  if (bundle_.depth < kSureSurfaces) return true;
+  const double chance = importance(medium);
+  if (chance >= 1.0) return true;
+  if (!(numbers(kScatter).y < chance)) return false;
+  scale(ones_.data(), 1.0 / chance);
   return true;
 }
 
@@ -128,6 +132,7 @@ bool BundleWalk::refract(double chance) {
   scale(scattering_.transmitted(), 1.0 / chance);
   bundle_.density = 0.0;
   if (!survives(bundle_.hit->medium_after)) return false;
+  const double brought = importance(bundle_.hit->medium_after);
   // Bands under total reflection, and those without power, have no refracted ray. What remains is
   // one run of bands as a rule, and more where n(lambda) turns.
   const auto passes = [&](int b) { return throughput_[static_cast<std::size_t>(b)] > 0.0f; };
@@ -142,7 +147,7 @@ bool BundleWalk::refract(double chance) {
     while (last < incoming.last && passes(last))
       ++last;
     for (const FanCell& cell :
-         fan_.refract(incoming, first, last, importance_, wavelengths_, band_choice_, *counts_)) {
+         fan_.refract(incoming, first, last, brought, wavelengths_, band_choice_, *counts_)) {
       push(cell.bundle, cell.weight);
       any = true;
     }

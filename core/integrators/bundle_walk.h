@@ -53,6 +53,7 @@ protected:
 
 private:
   bool leave(const dvec3& direction, bool through, RayKind kind);
+  [[nodiscard]] double importance(MediumId medium);
   bool survives(MediumId medium);
 
   Transport transport_;
@@ -60,7 +61,6 @@ private:
   const MaterialPlan* material_ = nullptr;
   const Sampler* sampler_ = nullptr;
   double band_choice_ = 0.0;
-  double importance_ = 1.0; ///< of the current bundle behind its last hit
   std::vector<Bundle> waiting_;
   std::vector<float> throughputs_; ///< rows of Plan::stride values, one per waiting bundle
 };

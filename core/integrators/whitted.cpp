@@ -1,5 +1,6 @@
 #include "core/integrators/whitted.h"
 
+#include "core/band_math.h"
 #include "core/lights/illumination.h"
 #include "core/materials/coated_diffuse.h"
 #include "core/materials/conductor.h"
@@ -136,9 +137,7 @@ void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, Radi
 /// times n^2 of the medium it goes through, since radiance there is n^2 times that outside.
 double Whitted::importance(const float* throughput, const float* factors, int first, int last,
                            MediumId medium) {
-  float most = 0.0f;
-  for (int b = first; b < last; ++b)
-    most = std::max(most, throughput[b] * factors[b]);
+  const float most = largest_product(throughput, factors, first, last);
   const double n = wavelengths_.indices(medium)[first];
   return static_cast<double>(most) * n * n;
 }

@@ -1,5 +1,6 @@
 #include "core/materials/scattering.h"
 
+#include "core/band_math.h"
 #include "core/lights/cone.h"
 #include "core/materials/coated_diffuse.h"
 #include "core/materials/conductor.h"
@@ -42,10 +43,7 @@ Scattering::Scattering(const Plan& plan, Transport transport)
 
 /// The sum over bands of throughput times a part's factors.
 double Scattering::brought(const float* factors) const {
-  float sum = 0.0f;
-  for (int b = first_; b < last_; ++b)
-    sum += throughput_[b] * factors[b];
-  return static_cast<double>(sum);
+  return static_cast<double>(weighted_sum(throughput_, factors, first_, last_));
 }
 
 /// A rough boundary between media of the same index is none, and so is not rough.
@@ -119,6 +117,12 @@ void Scattering::find_smooth_parts(PathWavelengths& wavelengths) {
 
 /// What facets reflect and refract is spread, in proportion to what a smooth surface would bring.
 void Scattering::find_spreading_parts() {
+  // Lambert's part alone needs no comparing.
+  if (!material_->reflects && !material_->transmits && material_->specular.zero()) {
+    spread_ = diffuse_->zero() ? 0.0 : 1.0;
+    lambert_ = 1.0;
+    return;
+  }
   double diffuse = brought(diffuse_->data());
   const double phong = brought(material_->specular.data());
   if (material_->coat >= 0 && rough()) {
