@@ -81,6 +81,9 @@ Options parse_command_line(int argc, const char* const* argv) {
       ->check(CLI::Range(1, 1 << 24))
       ->capture_default_str();
 
+  error->add_flag("--band-noise", options.error.band_noise,
+                  "Tell the noise of the bands too; keeps them all, which takes time");
+
   for (CLI::App* command : {rays, bands, error})
     add_common(*command, options, size, crop);
   try {

@@ -42,11 +42,12 @@ ErrorCurves measure_error(const std::filesystem::path& scene_path, const ErrorOp
   }
 
   tell(fmt::format("reference: exact, {} samples per pixel", options.reference_samples));
-  std::vector<Xyz> reference;
-  result.reference_seconds =
-      time_of([&] {
-        reference = pixels(render_once(scene, make_plan(scene, result.reference), world).film);
-      }).cpu;
+  std::optional<Rendering> exact;
+  result.reference_seconds = time_of([&] {
+                               exact = render_once(scene, make_plan(scene, result.reference), world,
+                                                   nullptr, options.band_noise);
+                             }).cpu;
+  const std::vector<Xyz> reference = pixels(exact->film);
 
   for (std::size_t i = 0; i < options.budgets.size(); ++i) {
     tell(fmt::format("{} samples per pixel", options.budgets[i]));
@@ -59,12 +60,16 @@ ErrorCurves measure_error(const std::filesystem::path& scene_path, const ErrorOp
     }
     std::vector<std::optional<Rendering>> renderings(plans.size());
     for (std::size_t k = 0; k < plans.size(); ++k)
-      works.emplace_back([&, k] { renderings[k] = render_once(scene, plans[k], world); });
+      works.emplace_back([&, k] {
+        renderings[k] = render_once(scene, plans[k], world, nullptr, options.band_noise);
+      });
     const std::vector<Runs> runs = interleaved(works, options.render.repeats, false);
-    for (std::size_t k = 0; k < runs.size(); ++k)
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      ImageError error = image_error(pixels(renderings[k]->film), reference);
+      if (options.band_noise) error.band_noise = band_noise(renderings[k]->film, exact->film);
       result.curves[k].budgets[i] = {options.budgets[i], runs[k].cpu_spread(),
-                                     runs[k].wall_spread(), renderings[k]->rays.total(),
-                                     image_error(pixels(renderings[k]->film), reference)};
+                                     runs[k].wall_spread(), renderings[k]->rays.total(), error};
+    }
   }
   return result;
 }

@@ -15,6 +15,7 @@ struct ErrorOptions {
   std::vector<std::string> variations{"default", "exact"};
   std::vector<int> budgets{1, 4, 16, 64}; ///< samples per pixel, ascending
   int reference_samples = 256;
+  bool band_noise = false;          ///< keep all bands and tell their noise; slower
   std::uint64_t reference_seed = 1; ///< other than the scene's, so that noise is not shared
 };
 

@@ -48,7 +48,26 @@ ImageError image_error(const std::vector<Xyz>& picture, const std::vector<Xyz>& 
   }
   const auto count = static_cast<double>(reference.size());
   return {relative_mse(rgb, reference_rgb), std::sqrt(squares / (3.0 * count)),
-          difference_sum / count, quantile(std::move(differences), 0.95)};
+          difference_sum / count, quantile(std::move(differences), 0.95), std::nullopt};
+}
+
+double band_noise(const Film& picture, const Film& reference) {
+  const PixelWindow& w = reference.window();
+  double sum = 0.0;
+  int counted = 0;
+  for (int band = 0; band < reference.bands(); ++band) {
+    double squares = 0.0, differences = 0.0;
+    for (int y = w.y0; y < w.y1; ++y)
+      for (int x = w.x0; x < w.x1; ++x) {
+        const double r = reference.radiance(x, y, band);
+        squares += square(r);
+        differences += square(picture.radiance(x, y, band) - r);
+      }
+    if (!(squares > 0.0)) continue;
+    sum += differences / squares;
+    ++counted;
+  }
+  return counted > 0 ? sum / counted : 0.0;
 }
 
 std::vector<Xyz> pixels(const Film& film) {

@@ -3,16 +3,18 @@
 #include "core/film.h"
 #include "spectral/color.h"
 
+#include <optional>
 #include <vector>
 
 namespace abbe::bench {
 
 /// How far a picture is from its reference.
 struct ImageError {
-  double rel_mse = 0.0;      ///< see `relative_mse`
-  double rmse_xyz = 0.0;     ///< over pixels and X, Y, Z
-  double mean_delta_e = 0.0; ///< CIEDE2000, mean over the pixels
-  double delta_e_95 = 0.0;   ///< its 95th percentile
+  double rel_mse = 0.0;             ///< see `relative_mse`
+  double rmse_xyz = 0.0;            ///< over pixels and X, Y, Z
+  double mean_delta_e = 0.0;        ///< CIEDE2000, mean over the pixels
+  double delta_e_95 = 0.0;          ///< its 95th percentile
+  std::optional<double> band_noise; ///< see below; where asked for
 };
 
 /// The mean over pixels and linear RGB of (x - r)^2 / (r^2 + 0.01 mean(r)^2), where the mean of r
@@ -23,6 +25,10 @@ struct ImageError {
 /// Colours are compared under D65 at Y = 1, the white of a display.
 [[nodiscard]] ImageError image_error(const std::vector<Xyz>& picture,
                                      const std::vector<Xyz>& reference);
+
+/// The mean over bands of mean (x - r)^2 over mean r^2, both over pixels; bands in which the
+/// reference is black do not count. Both films keep as many bands.
+[[nodiscard]] double band_noise(const Film& picture, const Film& reference);
 
 /// The picture's colours, row by row.
 [[nodiscard]] std::vector<Xyz> pixels(const Film& film);

@@ -27,9 +27,10 @@ World build_world(const Scene& scene) {
   return World(scene.shapes, farthest_coordinate(scene));
 }
 
-Rendering render_once(const Scene& scene, const Plan& plan, const World& world, RayRecord* record) {
+Rendering render_once(const Scene& scene, const Plan& plan, const World& world, RayRecord* record,
+                      bool keep_bands) {
   const std::atomic<bool> never = false;
-  return render(scene, plan, world, false, {}, never, record);
+  return render(scene, plan, world, keep_bands, {}, never, record);
 }
 
 } // namespace abbe::bench

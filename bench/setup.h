@@ -28,6 +28,6 @@ struct RenderOptions {
 [[nodiscard]] World build_world(const Scene& scene);
 
 [[nodiscard]] Rendering render_once(const Scene& scene, const Plan& plan, const World& world,
-                                    RayRecord* record = nullptr);
+                                    RayRecord* record = nullptr, bool keep_bands = false);
 
 } // namespace abbe::bench

@@ -86,11 +86,13 @@ std::string table(const ErrorCurves& e) {
                   "RMSE XYZ", "dE mean", "dE 95 %");
   for (const ErrorCurve& curve : e.curves)
     for (const BudgetError& b : curve.budgets)
-      fmt::format_to(std::back_inserter(text),
-                     "  {:24} {:>5} {:>9.3f} {:>5.0f} {:>9} {:>10.3e} {:>9.2e} {:>8.3f} {:>8.3f}\n",
-                     curve.variation.name, b.samples, b.render_seconds.median,
-                     percent_spread(b.render_seconds), b.rays, b.error.rel_mse, b.error.rmse_xyz,
-                     b.error.mean_delta_e, b.error.delta_e_95);
+      fmt::format_to(
+          std::back_inserter(text),
+          "  {:24} {:>5} {:>9.3f} {:>5.0f} {:>9} {:>10.3e} {:>9.2e} {:>8.3f} {:>8.3f}{}\n",
+          curve.variation.name, b.samples, b.render_seconds.median,
+          percent_spread(b.render_seconds), b.rays, b.error.rel_mse, b.error.rmse_xyz,
+          b.error.mean_delta_e, b.error.delta_e_95,
+          b.error.band_noise ? fmt::format("  band noise {:.2e}", *b.error.band_noise) : "");
   fmt::format_to(std::back_inserter(text), "  {:24} {:>9} {:>12} {:>12}\n", "variation", "slope",
                  "s to 1e-2", "s to 1e-3");
   for (const ErrorCurve& curve : e.curves) {

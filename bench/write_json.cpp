@@ -87,6 +87,7 @@ Json json(const BudgetError& b) {
           {"rays", b.rays},
           {"rel_mse", b.error.rel_mse},
           {"rmse_xyz", b.error.rmse_xyz},
+          {"band_noise", json(b.error.band_noise)},
           {"mean_delta_e_2000", b.error.mean_delta_e},
           {"delta_e_2000_95", b.error.delta_e_95}};
 }

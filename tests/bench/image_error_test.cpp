@@ -68,3 +68,16 @@ TEST_CASE("quantiles lie between the sorted values") {
   CHECK(quantile({3.0, 1.0, 2.0}, 1.0) == 3.0);
   CHECK(quantile({7.0}, 0.95) == 7.0);
 }
+
+TEST_CASE("the noise of bands by hand") {
+  // Band 0: differences 0.1 and 0 over 1 and 2: 0.01 / 5. Band 1: 0.5 over 1: 0.25. Band 2 is black.
+  const auto film = [](const std::vector<std::vector<float>>& pixels) {
+    Film result({0, 0, 2, 1}, 0x1p-40, 3);
+    for (int x = 0; x < 2; ++x)
+      result.add(x, 0, {1.0, 1.0, 1.0}, true, pixels[static_cast<std::size_t>(x)]);
+    return result;
+  };
+  const Film reference = film({{1.0f, 1.0f, 0.0f}, {2.0f, 0.0f, 0.0f}});
+  const Film picture = film({{1.1f, 1.5f, 0.0f}, {2.0f, 0.0f, 0.5f}});
+  CHECK(band_noise(picture, reference) == Approx((0.01 / 5.0 + 0.25) / 2.0).epsilon(1e-6));
+}
