@@ -18,7 +18,9 @@ struct Bundle {
   /// With which the ray's direction was chosen where it was last spread, per steradian; 0 when it
   /// comes straight from a mirror, a refracting surface, or the camera.
   double density = 0.0;
-  bool spread = false; ///< the path has met a surface that spreads light: no pixel's width is left
+  int spreads = 0;      ///< how many surfaces have spread it
+  int first_spread = 0; ///< how many it had met before the first of them
+  bool spread = false;  ///< the path has met a surface that spreads light: no pixel's width is left
 
   // How far apart the rays of its outermost bands have drifted, had each its own ray: in position
   // at the ray's origin, and in direction. 0 for a single band.

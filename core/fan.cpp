@@ -235,6 +235,8 @@ const std::vector<FanCell>& Fan::refract(const Bundle& bundle, int first, int la
   for (FanCell& cell : cells_) {
     cell.bundle.depth = bundle.depth + 1;
     cell.bundle.spread = bundle.spread;
+    cell.bundle.spreads = bundle.spreads;
+    cell.bundle.first_spread = bundle.first_spread;
     cell.bundle.path_length = bundle.path_length + hit.t;
   }
   return cells_;

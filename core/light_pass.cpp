@@ -106,7 +106,7 @@ RayCounts LightPasses::run(int pass, int samples, const std::atomic<bool>& stop,
   std::atomic<std::size_t> done = 0;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks.size(), 1), [&](const auto& range) {
     const DenormalsOff denormals_off;
-    LightPaths walker(plan_, world_, camera_, film_);
+    LightPaths walker(plan_, world_, emission_, camera_, film_);
     for (std::size_t c = range.begin(); c < range.end() && !stop; ++c) {
       const Chunk& chunk = chunks[c];
       const std::size_t e = chunk.emitter;

@@ -49,13 +49,14 @@ void BundleWalk::prepare_scattering() {
                       wavelengths_);
 }
 
-void BundleWalk::push(const Bundle& bundle, float weight) {
+void BundleWalk::push(const Bundle& bundle, const float* factors, double weight) {
+  const auto w = static_cast<float>(weight);
   waiting_.push_back(bundle);
   if (throughputs_.size() < waiting_.size() * plan_.stride)
     throughputs_.resize(waiting_.size() * plan_.stride);
   float* target = throughputs_.data() + (waiting_.size() - 1) * plan_.stride;
   for (int b = bundle.first; b < bundle.last; ++b)
-    target[b] = throughput_[static_cast<std::size_t>(b)] * weight;
+    target[b] = throughput_[static_cast<std::size_t>(b)] * factors[b] * w;
 }
 
 bool BundleWalk::resume() {
@@ -122,6 +123,7 @@ bool BundleWalk::spread(const dvec3& direction, const float* f_cos, double densi
   scale(f_cos, 1.0 / density);
   bundle_.density = density;
   bundle_.spread = true;
+  if (bundle_.spreads++ == 0) bundle_.first_spread = bundle_.depth;
   bundle_.position_spread = bundle_.direction_spread = 0.0;
   const bool outwards = glm::dot(direction, hit.normal) > 0.0;
   return leave(direction, outwards != hit.entering, RayKind::spread);
@@ -148,7 +150,7 @@ bool BundleWalk::refract(double chance) {
       ++last;
     for (const FanCell& cell :
          fan_.refract(incoming, first, last, brought, wavelengths_, band_choice_, *counts_)) {
-      push(cell.bundle, cell.weight);
+      push(cell.bundle, ones_.data(), static_cast<double>(cell.weight));
       any = true;
     }
     first = last;

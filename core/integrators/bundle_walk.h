@@ -20,8 +20,9 @@ protected:
   /// Two numbers in [0, 1) for a purpose at the surface that the bundle has met.
   [[nodiscard]] dvec2 numbers(SamplePurpose purpose) const;
 
-  /// A copy of a bundle waits for its turn, with the current throughput times `weight`.
-  void push(const Bundle& bundle, float weight);
+  /// A copy of a bundle waits for its turn, with the current throughput times factors per band and
+  /// a weight.
+  void push(const Bundle& bundle, const float* factors, double weight);
   /// Takes up the bundle that was pushed last. False when none waits.
   bool resume();
 

@@ -34,9 +34,11 @@ FilteredPixel filtered_pixel(PixelFilter filter, double place, double u) {
 
 } // namespace
 
-LightPaths::LightPaths(const Plan& plan, const World& world, const CameraRays* camera, Film& film)
+LightPaths::LightPaths(const Plan& plan, const World& world, const Emission& emission,
+                       const CameraRays* camera, Film& film)
     : BundleWalk(plan, world, camera ? camera->pixel_angle() : 0.0, Transport::flux),
-      camera_(camera), film_(film), to_camera_(plan, world), sums_(plan), light_(plan.stride) {}
+      emission_(emission), camera_(camera), film_(film), to_camera_(plan, world), sums_(plan),
+      light_(plan.stride) {}
 
 void LightPaths::trace(const EmittedRay& ray, const Sampler& sampler, double share,
                        PhotonBatch* photons, double photon_share, RayCounts& counts) {
@@ -87,14 +89,17 @@ bool LightPaths::go_on() {
   if (!arrive()) return false;
   const Hit& hit = *bundle_.hit;
   const MaterialPlan& material = find_material();
-  // Light that is spread at once is the camera paths' to find.
-  if (bundle_.depth == 0 && !material.specular_part()) return false;
+  // Light that is spread at once, from its lamp or again, is the camera paths' to find.
+  const bool at_once = bundle_.depth == 0 || bundle_.density > 0.0;
+  if (at_once && !material.specular_part()) return false;
   prepare_scattering();
-  if (bundle_.depth > 0) {
+  if (!at_once) {
     if (camera_ && scattering_.spreads()) splat(hit);
     // On a mixture photons are all light that arrives: who looks them up chooses the part.
     const MaterialPlan& whole = plan_.materials[hit.material.index()];
-    if (photons_ && (whole.mixed() ? whole.lit : scattering_.spreads())) keep(hit);
+    const bool first = bundle_.spreads == 0;
+    if (camera_ && first && scattering_.spreads()) go_on_from_spread(hit);
+    if (photons_ && first && (whole.mixed() ? whole.lit : scattering_.spreads())) keep(hit);
   }
   const auto [kind, chance] =
       scattering_.choose_specular(scattering_.certain() ? 0.0 : numbers(kScatter).x);
@@ -108,6 +113,24 @@ bool LightPaths::go_on() {
     break;
   }
   return false;
+}
+
+/// A sub-bundle towards something that mirrors or refracts: what comes that way to a surface that
+/// the camera sees would reach it by rare and strong photons otherwise.
+void LightPaths::go_on_from_spread(const Hit& hit) {
+  const DirectionSample way = towards(emission_.targets(), hit.point, numbers(kDirection));
+  if (!(scattering_.evaluate(way.direction, light_.data()) > 0.0)) return;
+  const bool through = (glm::dot(way.direction, hit.normal) > 0.0) != hit.entering;
+  Bundle next = bundle_;
+  next.state.ray = {hit.point, way.direction};
+  next.state.contacts = through ? hit.other_side : hit.same_side;
+  next.state.nesting = through ? hit.nesting_after : hit.nesting_before;
+  next.density = way.density;
+  next.spreads = 1;
+  ++next.depth;
+  next.hit = world_.closest(next.state);
+  counts_->add(RayKind::spread, next.state);
+  push(next, light_.data(), 1.0 / way.density);
 }
 
 /// Connects the surface with the eye. With the pixels' area A at unit distance along the axis, a

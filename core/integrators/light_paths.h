@@ -11,12 +11,14 @@
 namespace abbe {
 
 /// Light paths: from a lamp by way of mirrors and glass to the first surfaces that spread the
-/// light. There they are connected to the camera (a splat), and kept for the photon map. One object
-/// serves one thread.
+/// light. There they are connected to the camera (a splat), and kept for the photon map; from there
+/// they may go by mirrors and glass once more, to a surface that the camera sees. One object serves
+/// one thread.
 class LightPaths : private BundleWalk {
 public:
   /// Keeps references. `camera` is null where what the camera sees cannot be connected to.
-  LightPaths(const Plan& plan, const World& world, const CameraRays* camera, Film& film);
+  LightPaths(const Plan& plan, const World& world, const Emission& emission,
+             const CameraRays* camera, Film& film);
 
   /// Follows one path. `share` is what one path stands for: 1 over their number. Photons are added
   /// to `photons` unless it is null; `photon_share` is the same for those.
@@ -31,7 +33,9 @@ private:
   bool arrive();
   void splat(const Hit& hit);
   void keep(const Hit& hit);
+  void go_on_from_spread(const Hit& hit);
 
+  const Emission& emission_;
   const CameraRays* camera_;
   Film& film_;
   ShadowRays to_camera_;

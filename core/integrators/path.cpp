@@ -62,6 +62,14 @@ bool Path::found_otherwise(const Hit& emitting) const {
   return !emission_ || emission_->emits(emitting.shape);
 }
 
+/// True where light paths bring caustics to the film: on what the camera sees directly, and on what
+/// lights that by way of mirrors and glass.
+bool Path::splatted() const {
+  if (!photons_->splatted()) return false;
+  return bundle_.depth == 0 ||
+         (comes_by_mirrors_and_glass() && bundle_.spreads == 1 && bundle_.first_spread == 0);
+}
+
 bool Path::comes_by_mirrors_and_glass() const {
   return bundle_.spread && bundle_.density == 0.0;
 }
@@ -71,8 +79,7 @@ bool Path::go_on() {
   prepare_scattering();
   if (scattering_.spreads()) {
     if (!lamps_.empty()) aim_at_a_lamp(hit);
-    // What the camera sees directly gets its caustics by splats.
-    if (photons_ && (bundle_.depth > 0 || !photons_->splatted())) look_up_photons(hit);
+    if (photons_ && !splatted()) look_up_photons(hit);
   }
   const Scattering::Choice choice =
       scattering_.choose(scattering_.certain() ? 0.0 : numbers(kScatter).x);

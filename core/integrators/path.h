@@ -37,6 +37,7 @@ private:
   void aim_at_a_lamp(const Hit& hit);
   void look_up_photons(const Hit& hit);
   [[nodiscard]] bool found_otherwise(const Hit& emitting) const;
+  [[nodiscard]] bool splatted() const;
   /// True after a surface that spreads light and then at least one that mirrors or refracts.
   [[nodiscard]] bool comes_by_mirrors_and_glass() const;
 

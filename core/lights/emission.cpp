@@ -37,26 +37,6 @@ std::size_t one_of(std::size_t count, double& u) {
   return i;
 }
 
-struct DirectionSample {
-  dvec3 direction;
-  double density; ///< per steradian
-};
-
-/// A direction from a place to one of the targets.
-DirectionSample towards(const std::vector<EmissionTarget>& targets, const dvec3& place, dvec2 u) {
-  const std::size_t chosen = one_of(targets.size(), u.x);
-  const Cone cone = cone_to_ball(place, targets[chosen].center, targets[chosen].radius);
-  const dvec3 direction = cone.sample(u);
-  double density = 0.0;
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    const Cone other =
-        i == chosen ? cone : cone_to_ball(place, targets[i].center, targets[i].radius);
-    // Rounding must not put a direction outside the cone it was drawn from.
-    if (i == chosen || other.holds(direction)) density += 1.0 / other.solid_angle();
-  }
-  return {direction, density / static_cast<double>(targets.size())};
-}
-
 Cone cone_of(const SpotLight& spot) {
   const double s = std::sin(0.5 * spot.half_angle);
   return {spot.axis, 2.0 * s * s};
@@ -79,6 +59,20 @@ double solid_angles(const std::vector<EmissionTarget>& targets, const dvec3& pla
 }
 
 } // namespace
+
+DirectionSample towards(const std::vector<EmissionTarget>& targets, const dvec3& place, dvec2 u) {
+  const std::size_t chosen = one_of(targets.size(), u.x);
+  const Cone cone = cone_to_ball(place, targets[chosen].center, targets[chosen].radius);
+  const dvec3 direction = cone.sample(u);
+  double density = 0.0;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    const Cone other =
+        i == chosen ? cone : cone_to_ball(place, targets[i].center, targets[i].radius);
+    // Rounding must not put a direction outside the cone it was drawn from.
+    if (i == chosen || other.holds(direction)) density += 1.0 / other.solid_angle();
+  }
+  return {direction, density / static_cast<double>(targets.size())};
+}
 
 bool endless_flux(const Light& light) {
   return light.falloff == Falloff::none &&
@@ -106,7 +100,8 @@ std::vector<EmissionTarget> specular_targets(const Scene& scene, const Plan& pla
 
 Emission::Emission(const Scene& scene, const Plan& plan)
     : shape_emits_(scene.shapes.size(), false) {
-  const std::vector<EmissionTarget> targets = specular_targets(scene, plan);
+  targets_ = specular_targets(scene, plan);
+  const std::vector<EmissionTarget>& targets = targets_;
   if (targets.empty()) return;
   // Parallel light reaches every target through its disc; an endless one gets the scene's.
   const double scene_radius = std::max(scene_size(scene), 1e-300);

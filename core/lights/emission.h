@@ -69,13 +69,25 @@ public:
   /// True when light paths begin at this shape.
   [[nodiscard]] bool emits(ShapeId shape) const;
 
+  /// Everything that mirrors or refracts.
+  [[nodiscard]] const std::vector<EmissionTarget>& targets() const { return targets_; }
+
   /// How many of `paths` begin at each emitter: in proportion to flux, at least one each.
   [[nodiscard]] std::vector<std::uint32_t> shares(std::uint32_t paths) const;
 
 private:
+  std::vector<EmissionTarget> targets_;
   std::vector<Emitter> emitters_;
   std::vector<bool> shape_emits_; ///< by ShapeId
 };
+
+/// A direction from a place to one of the targets.
+struct DirectionSample {
+  dvec3 direction{0.0};
+  double density = 0.0; ///< per steradian
+};
+[[nodiscard]] DirectionSample towards(const std::vector<EmissionTarget>& targets,
+                                      const dvec3& place, dvec2 u);
 
 /// True for a lamp at a place whose light does not fall off with distance: it has no flux.
 [[nodiscard]] bool endless_flux(const Light& light);

@@ -19,7 +19,7 @@ Flux followed(const std::string& text) {
   Emission emission(scene, plan);
   emission.place(world);
   Film film({0, 0, 1, 1}, 1.0, 0);
-  LightPaths paths(plan, world, nullptr, film);
+  LightPaths paths(plan, world, emission, nullptr, film);
   PhotonBatch batch;
   RayCounts counts;
   Flux flux;

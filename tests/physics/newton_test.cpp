@@ -71,7 +71,7 @@ TEST_CASE("each band of Newton's spectrum lands where Snell sends it, with what 
   emission.place(world);
   REQUIRE(emission.emitters().size() == 1);
   Film film({0, 0, 1, 1}, 1.0, 0);
-  LightPaths paths(plan, world, nullptr, film);
+  LightPaths paths(plan, world, emission, nullptr, film);
   PhotonBatch batch;
   RayCounts counts;
   constexpr std::uint32_t kPaths = 1u << 17;
