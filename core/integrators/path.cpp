@@ -115,7 +115,12 @@ void Path::aim_at_a_lamp(const Hit& hit) {
       shadow_rays_.transmittance(towards_lamp, lamp->distance, first, last, wavelengths_, *counts_);
   if (!arriving) return;
   double weight = lamp->weight;
-  if (lamp->density > 0.0) weight *= lamp->density / (lamp->density + density);
+  if (shadow_rays_.through_glass()) {
+    // Paths that meet the lamp behind glass leave it to this ray, but not the environment.
+    if (lamp->environment) return;
+  } else if (lamp->density > 0.0) {
+    weight *= lamp->density / (lamp->density + density);
+  }
   for (int b = first; b < last; ++b)
     light_[static_cast<std::size_t>(b)] *= throughput_[static_cast<std::size_t>(b)] * arriving[b];
   lamps_.tint(*lamp, first, last, light_.data());

@@ -13,6 +13,7 @@ ShadowRays::ShadowRays(const Plan& plan, const World& world)
 
 const float* ShadowRays::transmittance(const RayState& towards_lamp, double distance, int first,
                                        int last, PathWavelengths& wavelengths, RayCounts& counts) {
+  through_glass_ = false;
   switch (plan_.settings.shadows) {
   case ShadowRule::none:
     return ones_.data();
@@ -47,6 +48,7 @@ bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
       if (material.roughness > 0.0 && plan_.settings.integrator == Integrator::path) return false;
       const double cos_i = std::min(1.0, std::abs(glm::dot(hit->normal, state.ray.direction)));
       pass(material, *hit, cos_i, first, last, wavelengths, transmittance_);
+      through_glass_ = true;
     }
     state.ray.origin = hit->point;
     state.contacts = hit->other_side;

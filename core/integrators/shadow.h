@@ -18,6 +18,8 @@ public:
   [[nodiscard]] const float* transmittance(const RayState& towards_lamp, double distance, int first,
                                            int last, PathWavelengths& wavelengths,
                                            RayCounts& counts);
+  /// True when the last one that arrived went through glass.
+  [[nodiscard]] bool through_glass() const { return through_glass_; }
 
 private:
   /// False where nothing arrives.
@@ -29,6 +31,7 @@ private:
   const Plan& plan_;
   const World& world_;
   std::vector<float> ones_, transmittance_;
+  bool through_glass_ = false;
 };
 
 } // namespace abbe
