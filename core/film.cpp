@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace abbe {
 namespace {
@@ -65,7 +66,7 @@ void Film::enable_splats() {
 }
 
 /// Integers may be added in any order. A sum that has come near its end takes no more.
-void Film::splat(std::int64_t& total, double value) {
+void Film::splat(std::int64_t& total, double value, double u) {
   const auto refuse = [](std::uint64_t& tally) {
     std::atomic_ref(tally).fetch_add(1, std::memory_order_relaxed);
   };
@@ -75,16 +76,22 @@ void Film::splat(std::int64_t& total, double value) {
   if (value / quantum_ > kLargestSplat ||
       static_cast<double>(sum.load(std::memory_order_relaxed)) > kLargestSteps)
     return refuse(refused_splats_.overflow);
-  sum.fetch_add(steps(value, quantum_), std::memory_order_relaxed);
+  sum.fetch_add(static_cast<std::int64_t>(std::floor(value / quantum_ + u)),
+                std::memory_order_relaxed);
 }
 
-void Film::add_splat(int x, int y, const Xyz& color, std::span<const float> radiance) {
+void Film::add_splat(int x, int y, const Xyz& color, std::span<const float> radiance, double u) {
   const std::size_t pixel = index(x, y);
-  splat(splats_[3 * pixel], color.x);
-  splat(splats_[3 * pixel + 1], color.y);
-  splat(splats_[3 * pixel + 2], color.z);
+  const auto round = [&](std::int64_t& total, double value) {
+    splat(total, value, u);
+    u += 1.0 / std::numbers::phi; // the next value is rounded on its own
+    u -= std::floor(u);
+  };
+  round(splats_[3 * pixel], color.x);
+  round(splats_[3 * pixel + 1], color.y);
+  round(splats_[3 * pixel + 2], color.z);
   for (std::size_t b = 0; b < static_cast<std::size_t>(bands_); ++b)
-    splat(band_splats_[pixel * static_cast<std::size_t>(bands_) + b], radiance[b]);
+    round(band_splats_[pixel * static_cast<std::size_t>(bands_) + b], radiance[b]);
 }
 
 double Film::splat_mean(const std::vector<std::int64_t>& splats, std::size_t i) const {

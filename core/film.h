@@ -27,8 +27,9 @@ public:
   /// Makes room for splats.
   void enable_splats();
   /// Adds what a light path brings to a pixel inside the window, as a mean over the light paths of
-  /// one pass. Any number of threads may add at once.
-  void add_splat(int x, int y, const Xyz& color, std::span<const float> radiance);
+  /// one pass. Any number of threads may add at once. The random number `u` in [0, 1) rounds it up
+  /// or down, so that the mean is right for splats that are much smaller than the quantum.
+  void add_splat(int x, int y, const Xyz& color, std::span<const float> radiance, double u);
   /// Counts the light paths whose splats were added, in passes.
   void add_light_passes(double passes) { light_passes_ += passes; }
 
@@ -65,7 +66,7 @@ private:
   /// True when the value can be summed; else the pixel's tally of refused samples grows.
   bool accept(double value, std::size_t pixel);
   void sum(std::int64_t& total, double value, std::size_t pixel);
-  void splat(std::int64_t& total, double value);
+  void splat(std::int64_t& total, double value, double u);
   [[nodiscard]] double mean(std::int64_t sum, std::size_t pixel) const;
   /// Entry `i` of splats, as a mean; 0 where there are none.
   [[nodiscard]] double splat_mean(const std::vector<std::int64_t>& splats, std::size_t i) const;

@@ -54,6 +54,7 @@ enum SamplePurpose : std::uint32_t {
   kSurfaceChoice = 12, ///< x: which band of a stratum is kept, y: which of mixed materials
   kSplat = 13,         ///< where in the pixel filter a splat falls
   kLobe = 14,          ///< x: which way of a rough surface's scattering, y: by which band
+  kSplatRounding = 15, ///< x: whether the film rounds a splat up or down
   kPerSurface = 8,
 };
 

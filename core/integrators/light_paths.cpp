@@ -177,7 +177,8 @@ void LightPaths::splat(const Hit& hit) {
   sums_.clear();
   sums_.add(source_, light_.data(), ones_, static_cast<float>(weight), bundle_.first, bundle_.last);
   film_.add_splat(column.pixel, row.pixel, sums_.color(),
-                  film_.bands() > 0 ? sums_.radiance() : std::span<const float>());
+                  film_.bands() > 0 ? sums_.radiance() : std::span<const float>(),
+                  numbers(kSplatRounding).x);
 }
 
 void LightPaths::keep(const Hit& hit) {

@@ -1,0 +1,104 @@
+#include "spectral/glass.h"
+#include "tests/catch.h"
+#include "tests/seeds.h"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+using namespace abbe;
+
+// Lamps as beginnings of light paths: against camera paths alone, and against closed forms.
+
+namespace {
+
+/// A ball of glass over a floor; the camera sees the floor below it and neither ball nor lamp.
+std::string floor_with(const std::string& lamp) {
+  return "integrator path maxRecursionDepth 12 eye 0 0.4 3 lookAt 0 -1 0 fieldOfView 22\n"
+         "imageSize 8 8 samples 64\n" +
+         lamp +
+         "\ndefaultMaterials diffuse 0.7 0.7 0.7 specular 0 0 0\n"
+         "push translate 0 -1 0 rotate -90 1 0 0 scale 3 3 1 square pop\n"
+         "glass SF11 push translate 0 0.3 0 scale 0.6 0.6 0.6 sphere pop";
+}
+
+const std::string kGlow = "defaultMaterials diffuse 0 0 0 specular 0 0 0 emissive E 3 ";
+
+struct Case {
+  const char* name;
+  std::string lamp;
+};
+
+const std::vector<Case>& lamps() {
+  static const std::vector<Case> all = {
+      {"sun", "sunRadius 8 sun 0.15 1 0"},
+      {"box", kGlow + "push translate 0.3 2.4 0 rotate 30 1 1 0 scale 0.6 0.5 0.6 cube pop"},
+      {"disc", kGlow + "push translate 0.3 2.4 0 rotate 90 1 0 0 scale 1 1 1 disc pop"},
+      {"square that glows on both sides",
+       kGlow + "push translate 0.2 2.4 0 rotate -80 1 0 0 scale 0.9 0.8 1 square pop"},
+      {"square that glows in front", kGlow + "emissiveSides front push translate 0.2 2.4 0 rotate "
+                                             "95 1 0 0 scale 0.9 0.8 1 square pop"},
+      {"squeezed ball", kGlow + "push translate 0.3 2.4 0 scale 1 0.5 0.8 sphere pop"},
+  };
+  return all;
+}
+
+} // namespace
+
+TEST_CASE("caustics of each kind of lamp are those of camera paths alone") {
+  for (const Case& c : lamps()) {
+    INFO(c.name);
+    Scene scene = test::scene_from(floor_with(c.lamp));
+    scene.settings.caustics = Caustics::off;
+    const auto camera = test::over_seeds(scene, 96);
+    scene.settings.caustics = Caustics::automatic;
+    scene.settings.samples_per_pixel = 16;
+    scene.settings.light_paths = 8.0;
+    const auto both = test::over_seeds(scene, 48);
+    CHECK(std::abs(total_z(camera, both)) < 4.0);
+    CHECK(both.total == Approx(camera.total).epsilon(0.015));
+  }
+}
+
+TEST_CASE("parallel light and a tiny sun make the same caustic") {
+  const auto total = [](const std::string& lamp) {
+    Scene scene = test::scene_from(floor_with(lamp));
+    scene.settings.samples_per_pixel = 16;
+    scene.settings.light_paths = 16.0;
+    return test::over_seeds(scene, 8);
+  };
+  const auto parallel = total("light E 0.15 1 0 0");
+  const auto sun = total("sunRadius 0.01 sun 0.15 1 0 E");
+  CHECK(std::abs(total_z(parallel, sun)) < 4.0);
+  CHECK(sun.total == Approx(parallel.total).epsilon(0.01));
+}
+
+// Behind a clear plate at normal incidence 2n / (n^2 + 1) of the light arrives, all reflections
+// within the plate included. The card below is nearly black, so nothing comes back from the plate.
+TEST_CASE("a card under a plate of glass is as bright as Fresnel says, under each distant lamp") {
+  const std::string plate =
+      "integrator path maxRecursionDepth 40 eye 0 0 -1 lookAt 0 0 -3\n"
+      "up 0 1 0 fieldOfView 80 imageSize 4 4 filter box samples 16 lightPaths 800\n"
+      "jitter off glass SF11 push scale 2 2 0.1 cube pop\n"
+      "defaultMaterials diffuse 0.01 0.01 0.01\n"
+      "push translate 0 0 -3 scale 2 2 1 square pop ";
+  const auto seen = [&](const std::string& lamp) {
+    const Scene scene = test::scene_from(plate + lamp);
+    const Rendering r = test::render_scene(scene, true);
+    double sum = 0.0;
+    for (int b = 0; b < 81; ++b) {
+      const double n = refractive_index(find_glass("SF11")->dispersion, 380.0 + 5.0 * b);
+      for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 4; ++x)
+          sum += r.film.radiance(x, y, b) / (2.0 * n / (n * n + 1.0)) / (81.0 * 16.0) / 0.01;
+    }
+    return sum;
+  };
+  CHECK(seen("light E 0 0 1 0") == Approx(1.0).epsilon(0.01));
+  CHECK(seen("sunRadius 0.1 sun 0 0 1 E") == Approx(1.0).epsilon(0.01));
+  // A far point: its value is intensity, so the irradiance is value / distance^2, less the shift
+  // of the plate of 0.1 / 1000.
+  CHECK(seen("falloff square light E 0 0 997 1") * 1e6 * std::numbers::pi ==
+        Approx(1.0).epsilon(0.01));
+}
