@@ -28,7 +28,7 @@ std::vector<double> splats(const Scene& scene, const Plan& plan, const World& wo
   const CameraRays camera(scene.camera, 8, 8);
   Film film({0, 0, 8, 8}, plan.quantum, 0);
   film.enable_splats();
-  LightPaths paths(plan, world, &camera, film);
+  LightPaths paths(plan, world, emission, &camera, film);
   RayCounts counts;
   for (std::uint32_t i = 0; i < count; ++i) {
     const Sampler sampler(~0, 0, i, seed);
