@@ -38,6 +38,7 @@ std::array<double, 81> smallest_spots(const Lens& lens, const std::string& glass
   const Plan plan = make_plan(scene, scene.settings);
   const World world(scene.shapes, farthest_coordinate(scene));
   Film film({0, 0, 1, 1}, 1.0, 0);
+  const Emission emission(scene, plan);
   LightPaths paths(plan, world, emission, nullptr, film);
   PhotonBatch batch;
   RayCounts counts;
