@@ -35,6 +35,13 @@ double camera_reach(const Scene& scene) {
 
 } // namespace
 
+double mean_of(const Curve& spectrum, const BandGrid& grid) {
+  double sum = 0.0;
+  for (const double value : band_means(grid, spectrum))
+    sum += value;
+  return sum / grid.count();
+}
+
 double scene_size(const Scene& scene) {
   Bounds box;
   for (const PlacedShape& shape : scene.shapes)

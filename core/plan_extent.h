@@ -5,6 +5,10 @@
 
 namespace abbe {
 
+/// A lamp's strength, for shares between lamps: the mean over the bands, since colours that the
+/// eye hardly sees are light too.
+[[nodiscard]] double mean_of(const Curve& spectrum, const BandGrid& grid);
+
 /// The diagonal of the box around all shapes (but endless ones) and lamps, in scene units.
 [[nodiscard]] double scene_size(const Scene& scene);
 

@@ -15,13 +15,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-double mean_of(const Curve& spectrum, const BandGrid& grid) {
-  double sum = 0.0;
-  for (const double value : band_means(grid, spectrum))
-    sum += value;
-  return sum / grid.count();
-}
-
 std::optional<EmissionTarget> ball_around(const PlacedShape& placed) {
   if (!is_bounded(placed.shape))
     return EmissionTarget{dvec3(0.0), std::numeric_limits<double>::infinity()};
@@ -110,6 +103,7 @@ Emission::Emission(const Scene& scene, const Plan& plan)
     const double value = mean_of(light.spectrum, plan.grid);
     Emitter emitter;
     emitter.scene_ = &scene;
+    emitter.scene_size_ = scene_radius;
     emitter.light_ = static_cast<int>(i);
     emitter.source_ = plan.light_source(i);
     emitter.targets_ = targets;
@@ -255,7 +249,7 @@ std::optional<EmittedRay> Emitter::from_afar(const dvec3& direction, const Sampl
   }
   density /= static_cast<double>(targets_.size());
   EmittedRay ray;
-  ray.state.ray = {place - (back + scene_size(*scene_)) * direction, direction};
+  ray.state.ray = {place - (back + scene_size_) * direction, direction};
   ray.source = source_;
   ray.flux = kPi / density;
   return ray;

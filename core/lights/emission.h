@@ -46,7 +46,8 @@ private:
                                                      const Sampler& sampler) const;
 
   const Scene* scene_ = nullptr;
-  int light_ = -1; ///< index into Scene::lights; negative: a shape
+  double scene_size_ = 0.0; ///< of a light: how far before the targets parallel light begins
+  int light_ = -1;          ///< index into Scene::lights; negative: a shape
   ShapeId shape_;
   bool one_sided_ = true;
   int source_ = 0;

@@ -14,14 +14,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Mean over the bands: colours that the eye hardly sees are light too.
-double mean_of(const Curve& spectrum, const BandGrid& grid) {
-  double sum = 0.0;
-  for (const double value : band_means(grid, spectrum))
-    sum += value;
-  return sum / grid.count();
-}
-
 /// In which a lamp shines; of a spotlight's soft edge half.
 double solid_angle(const Light& light) {
   const auto* spot = std::get_if<SpotLight>(&light.emitter);
