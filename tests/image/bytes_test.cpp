@@ -1,7 +1,6 @@
-#include "core/develop.h"
-#include "tests/catch.h"
+#include "tests/image/picture.h"
+
 #include "tests/io/temporary_folder.h"
-#include "tests/render_text.h"
 
 #include <fmt/format.h>
 
@@ -9,26 +8,12 @@
 #include <variant>
 
 using namespace abbe;
+using test::Picture;
+using test::picture;
 
 // The image depends on scene, settings and seed alone. Pixels are compared as bits, in all bands.
 
 namespace {
-
-struct Picture {
-  std::vector<float> rgba, bands;
-  friend bool operator==(const Picture&, const Picture&) = default;
-};
-
-Picture picture(const Scene& scene) {
-  const Plan plan = make_plan(scene, scene.settings);
-  const World world(scene.shapes, farthest_coordinate(scene));
-  const std::atomic<bool> never = false;
-  const Rendering r = render(scene, plan, world, true, {}, never);
-  CHECK(r.film.refused().not_finite == 0);
-  CHECK(r.film.refused().negative == 0);
-  CHECK(r.film.refused().overflow == 0);
-  return {develop_scene_linear(r.film, plan).rgba, develop_spectral(r.film, plan).values};
-}
 
 Scene small(const std::string& name) {
   Scene scene = test::project_scene(name, 40);

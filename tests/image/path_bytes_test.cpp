@@ -1,33 +1,17 @@
-#include "core/develop.h"
-#include "tests/catch.h"
-#include "tests/render_text.h"
+#include "tests/image/picture.h"
 
 #include <string>
 #include <utility>
 #include <vector>
 
 using namespace abbe;
+using test::Picture;
+using test::picture;
 
 // The image of `path`, light-side passes included, depends on scene, settings and seed alone.
 // Pixels are compared as bits, in all bands.
 
 namespace {
-
-struct Picture {
-  std::vector<float> rgba, bands;
-  friend bool operator==(const Picture&, const Picture&) = default;
-};
-
-Picture picture(const Scene& scene) {
-  const Plan plan = make_plan(scene, scene.settings);
-  const World world(scene.shapes, farthest_coordinate(scene));
-  const std::atomic<bool> never = false;
-  const Rendering r = render(scene, plan, world, true, {}, never);
-  CHECK(r.film.refused().not_finite == 0);
-  CHECK(r.film.refused().negative == 0);
-  CHECK(r.film.refused().overflow == 0);
-  return {develop_scene_linear(r.film, plan).rgba, develop_spectral(r.film, plan).values};
-}
 
 // 4608 light paths a pass, three tasks; nine tiles of 16 pixels or fewer.
 const std::string kSmall = "integrator path imageSize 24 24 samples 4 lightPaths 2 ";

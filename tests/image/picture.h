@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/develop.h"
+#include "tests/catch.h"
+#include "tests/render_text.h"
+
+#include <vector>
+
+namespace abbe::test {
+
+/// A picture as its pixels, in colour and in all bands, to be compared as bits.
+struct Picture {
+  std::vector<float> rgba, bands;
+  friend bool operator==(const Picture&, const Picture&) = default;
+};
+
+/// Renders; the film may refuse nothing.
+inline Picture picture(const Scene& scene) {
+  const Plan plan = make_plan(scene, scene.settings);
+  const World world(scene.shapes, farthest_coordinate(scene));
+  const std::atomic<bool> never = false;
+  const Rendering r = render(scene, plan, world, true, {}, never);
+  CHECK(r.film.refused().not_finite == 0);
+  CHECK(r.film.refused().negative == 0);
+  CHECK(r.film.refused().overflow == 0);
+  return {develop_scene_linear(r.film, plan).rgba, develop_spectral(r.film, plan).values};
+}
+
+} // namespace abbe::test
