@@ -1,5 +1,7 @@
 #include "geometry/surface_sample.h"
 
+#include "geometry/disc_point.h"
+
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
@@ -43,14 +45,8 @@ double local_area(const Square&) {
   return 4.0;
 }
 
-/// Concentric rings of equal area, which keep strata of u together [Shirley97].
 LocalSample local_sample(const Disc&, const dvec2& u) {
-  const dvec2 d = 2.0 * u - 1.0;
-  if (d.x == 0.0 && d.y == 0.0) return {dvec3(0.0), {0.0, 0.0, 1.0}, 0};
-  const bool by_x = std::abs(d.x) > std::abs(d.y);
-  const double radius = by_x ? d.x : d.y;
-  const double angle = by_x ? kPi / 4.0 * (d.y / d.x) : kPi / 2.0 - kPi / 4.0 * (d.x / d.y);
-  return {{radius * std::cos(angle), radius * std::sin(angle), 0.0}, {0.0, 0.0, 1.0}, 0};
+  return {dvec3(disc_point(u), 0.0), {0.0, 0.0, 1.0}, 0};
 }
 double local_area(const Disc&) {
   return kPi;
