@@ -86,7 +86,7 @@ std::size_t query(const World& world, const RaysOfKind& rays, int threads) {
   const Tracing tracing = packets ? Tracing::packets : Tracing::single;
   const std::span<const RayState> states = rays.states;
   return in_chunks(states.size(), threads, [&](std::size_t begin, std::size_t end) {
-    std::array<std::optional<Hit>, kWidest> hits;
+    std::array<Hit, kWidest> hits;
     std::size_t met = 0;
     const std::size_t step = packets ? kWidest : 1;
     for (std::size_t at = begin; at < end; at += step) {
@@ -97,9 +97,9 @@ std::size_t query(const World& world, const RaysOfKind& rays, int threads) {
         continue;
       }
       const auto found = std::span(hits).first(count);
-      world.closest(states.subspan(at, count), found, tracing);
-      for (const auto& hit : found)
-        met += hit ? 1 : 0;
+      world.find_closest(states.subspan(at, count), found, tracing);
+      for (const Hit& hit : found)
+        met += hit.met() ? 1 : 0;
     }
     return met;
   });

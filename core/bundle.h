@@ -3,15 +3,22 @@
 #include "geometry/ray_state.h"
 
 #include <cstddef>
-#include <optional>
 
 namespace abbe {
+
+/// Bands [first, last).
+struct BandRange {
+  int first = 0, last = 0;
+
+  [[nodiscard]] int size() const { return last - first; }
+  [[nodiscard]] bool empty() const { return first == last; }
+};
 
 /// A contiguous range of bands that share one ray. Its throughput per band lies beside it.
 struct Bundle {
   int first = 0, last = 0; ///< bands [first, last)
   RayState state;
-  std::optional<Hit> hit;   ///< what the ray meets next; a ray is traced before its bundle is kept
+  Hit hit;                  ///< what the ray meets next; a ray is traced before its bundle is kept
   int depth = 0;            ///< surfaces met so far
   double path_length = 0.0; ///< from the camera to the ray's origin
   double passed = 0.0;      ///< of the ray before its origin, through boundaries that are not seen
@@ -43,18 +50,21 @@ struct CameraBundle {
 struct CameraPaths {
   const CameraBundle* bundles;
   const RayState* states;
-  const std::optional<Hit>* hits;
+  const Hit* hits;
   std::size_t count;
 
-  [[nodiscard]] Bundle bundle(std::size_t i) const {
-    Bundle start;
-    start.first = bundles[i].first;
-    start.last = bundles[i].last;
-    start.state = states[i];
-    start.hit = hits[i];
-    start.position_spread = bundles[i].position_spread;
-    start.direction_spread = bundles[i].direction_spread;
-    return start;
+  /// Makes `bundle` the bundle number `i` as it starts.
+  void begin(std::size_t i, Bundle& bundle) const {
+    bundle.first = bundles[i].first;
+    bundle.last = bundles[i].last;
+    bundle.state = states[i];
+    bundle.hit = hits[i];
+    bundle.depth = 0;
+    bundle.path_length = bundle.passed = bundle.density = 0.0;
+    bundle.spreads = bundle.first_spread = 0;
+    bundle.spread = false;
+    bundle.position_spread = bundles[i].position_spread;
+    bundle.direction_spread = bundles[i].direction_spread;
   }
 };
 

@@ -1,5 +1,7 @@
 #include "core/camera.h"
 
+#include "geometry/disc_point.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -7,17 +9,6 @@ namespace abbe {
 
 double focus_distance(const Camera& camera) {
   return camera.focus_distance.value_or(glm::distance(camera.look_at, camera.eye));
-}
-
-glm::dvec2 disc_point(const glm::dvec2& u) {
-  const glm::dvec2 square = 2.0 * u - 1.0;
-  if (square.x == 0.0 && square.y == 0.0) return square;
-  constexpr double kQuarter = std::numbers::pi / 4.0;
-  const bool wide = std::abs(square.x) > std::abs(square.y);
-  const double radius = wide ? square.x : square.y;
-  const double angle =
-      wide ? kQuarter * square.y / square.x : 2.0 * kQuarter - kQuarter * square.x / square.y;
-  return radius * glm::dvec2(std::cos(angle), std::sin(angle));
 }
 
 CameraRays::CameraRays(const Camera& camera, int width, int height)

@@ -9,10 +9,6 @@ namespace abbe {
 /// How far from the eye the camera is focused, in scene units.
 [[nodiscard]] double focus_distance(const Camera& camera);
 
-/// A point of the unit disc for two numbers in [0, 1); it keeps ratios of areas, and neighbours
-/// together [SC97].
-[[nodiscard]] glm::dvec2 disc_point(const glm::dvec2& u);
-
 /// The pinhole or thin-lens camera of a scene, ready to shoot rays through an image of a given
 /// size. A thin lens shows what lies in the plane of focus as the pinhole does, all else blurred; a
 /// uniform radiance looks the same through both.

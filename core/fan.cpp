@@ -9,18 +9,19 @@ namespace abbe {
 
 Fan::Fan(const Plan& plan, const World& world, double pixel_angle)
     : plan_(plan), world_(world), pixel_angle_(pixel_angle),
-      band_rays_(static_cast<std::size_t>(plan.grid.count())) {}
+      states_(2 * static_cast<std::size_t>(plan.grid.count())), hits_(states_.size()),
+      ray_of_band_(static_cast<std::size_t>(plan.grid.count())) {}
 
 void Fan::prepare(const Bundle& bundle, int first, int last, PathWavelengths& wavelengths) {
   incoming_ = &bundle;
-  const Hit& hit = *bundle.hit;
+  const Hit& hit = bundle.hit;
   const dvec3& direction = bundle.state.ray.direction;
   facing_normal_ = hit.entering ? hit.normal : -hit.normal;
   cos_i_ = std::min(1.0, std::abs(glm::dot(direction, facing_normal_)));
   n_before_ = wavelengths.indices(hit.medium_before);
   n_after_ = wavelengths.indices(hit.medium_after);
-  for (int b = first; b < last; ++b)
-    band_rays_[static_cast<std::size_t>(b)].traced = false;
+  std::fill(ray_of_band_.begin() + first, ray_of_band_.begin() + last, -1);
+  ray_count_ = traced_count_ = 0;
   cells_.clear();
   // Snell's law, differentiated: a small change of the incoming direction comes out scaled by
   // n_i cos i / (n_t cos t).
@@ -31,76 +32,71 @@ void Fan::prepare(const Bundle& bundle, int first, int last, PathWavelengths& wa
   carried_direction_spread_ = bundle.direction_spread * cos_i_ / std::max(eta * cos_t, 1e-3);
 }
 
-RayState Fan::refracted_state(double n_before, double n_after) const {
-  const Hit& hit = *incoming_->hit;
+/// The incoming ray refracted; its number.
+std::size_t Fan::add_ray(double n_before, double n_after) {
+  const Hit& hit = incoming_->hit;
   const double eta = n_after / n_before;
   const double cos_t = refracted_cosine(cos_i_, eta).value_or(0.0);
-  RayState state;
+  RayState& state = states_[ray_count_];
   state.ray.origin = hit.point;
   state.ray.direction =
       refracted(incoming_->state.ray.direction, facing_normal_, cos_i_, cos_t, eta);
   state.contacts = hit.other_side;
   state.nesting = hit.nesting_after;
-  return state;
+  return ray_count_++;
 }
 
-void Fan::trace_bands(RayCounts& counts) {
-  packet_states_.clear();
-  for (const int b : wanted_) {
-    BandRay& ray = band_rays_[static_cast<std::size_t>(b)];
-    ray.state = refracted_state(n_before_[b], n_after_[b]);
-    packet_states_.push_back(ray.state);
-  }
-  packet_hits_.resize(wanted_.size());
-  world_.closest(packet_states_, packet_hits_, plan_.settings.tracing);
-  for (std::size_t i = 0; i < wanted_.size(); ++i) {
-    BandRay& ray = band_rays_[static_cast<std::size_t>(wanted_[i])];
-    ray.hit = packet_hits_[i];
-    ray.traced = true;
-  }
-  counts.add(RayKind::refracted, packet_states_);
-  wanted_.clear();
+const dvec3& Fan::direction_of(int band) const {
+  return states_[static_cast<std::size_t>(ray_of_band_[static_cast<std::size_t>(band)])]
+      .ray.direction;
+}
+
+const Hit& Fan::hit_of(int band) const {
+  return hits_[static_cast<std::size_t>(ray_of_band_[static_cast<std::size_t>(band)])];
+}
+
+void Fan::want(int band) {
+  int& ray = ray_of_band_[static_cast<std::size_t>(band)];
+  if (ray < 0) ray = static_cast<int>(add_ray(n_before_[band], n_after_[band]));
+}
+
+void Fan::trace_new_rays(RayCounts& counts) {
+  if (traced_count_ == ray_count_) return;
+  const std::size_t count = ray_count_ - traced_count_;
+  const auto states = std::span(states_).subspan(traced_count_, count);
+  world_.find_closest(states, std::span(hits_).subspan(traced_count_, count),
+                      plan_.settings.tracing);
+  counts.add(RayKind::refracted, states);
+  traced_count_ = ray_count_;
 }
 
 void Fan::add_band(int band, float weight) {
-  FanCell& cell = cells_.emplace_back();
-  cell.weight = weight;
-  cell.bundle.first = band;
-  cell.bundle.last = band + 1;
-  cell.bundle.state = band_rays_[static_cast<std::size_t>(band)].state;
-  cell.bundle.hit = band_rays_[static_cast<std::size_t>(band)].hit;
+  const auto ray = static_cast<std::size_t>(ray_of_band_[static_cast<std::size_t>(band)]);
+  cells_.push_back({band, band + 1, weight, false, &states_[ray], &hits_[ray]});
 }
 
-void Fan::add_shared(Range range, PathWavelengths& wavelengths) {
-  const BandRay& a = band_rays_[static_cast<std::size_t>(range.first)];
-  const BandRay& b = band_rays_[static_cast<std::size_t>(range.last - 1)];
-  const Hit& hit = *incoming_->hit;
-  FanCell& cell = cells_.emplace_back();
-  cell.shared = true;
-  cell.bundle.first = range.first;
-  cell.bundle.last = range.last;
-  cell.bundle.state =
-      refracted_state(wavelengths.shared_index(hit.medium_before, range.first, range.last),
-                      wavelengths.shared_index(hit.medium_after, range.first, range.last));
-  cell.bundle.position_spread = position_spread_;
-  cell.bundle.direction_spread =
-      carried_direction_spread_ + glm::distance(a.state.ray.direction, b.state.ray.direction);
+FanCell& Fan::add_shared_ray(BandRange range, double n_before, double n_after) {
+  const std::size_t ray = add_ray(n_before, n_after);
+  return cells_.emplace_back(FanCell{range.first, range.last, 1.0f, true, &states_[ray],
+                                     &hits_[ray], position_spread_, carried_direction_spread_});
 }
 
-void Fan::add_undivided(Range range) {
-  FanCell& cell = cells_.emplace_back();
-  cell.shared = true;
-  cell.bundle.first = range.first;
-  cell.bundle.last = range.last;
-  cell.bundle.state = refracted_state(n_before_[range.first], n_after_[range.first]);
-  cell.bundle.position_spread = position_spread_;
-  cell.bundle.direction_spread = carried_direction_spread_;
+void Fan::add_shared(BandRange range, PathWavelengths& wavelengths) {
+  const Hit& hit = incoming_->hit;
+  const double parted = glm::distance(direction_of(range.first), direction_of(range.last - 1));
+  add_shared_ray(range, wavelengths.shared_index(hit.medium_before, range.first, range.last),
+                 wavelengths.shared_index(hit.medium_after, range.first, range.last))
+      .direction_spread += parted;
+}
+
+void Fan::add_undivided(BandRange range) {
+  add_shared_ray(range, n_before_[range.first], n_after_[range.first]);
 }
 
 /// A band that shares another's ray into a denser medium meets the parallel face behind it with
 /// sin = sin(i) / n_shared; it can only leave there while n_own sin < 1. True when all of the
 /// range's bands can, so that none is caught inside where its own ray would not have been.
-bool Fan::all_would_leave(Range range) const {
+bool Fan::all_would_leave(BandRange range) const {
   const double a = n_after_[range.first] / n_before_[range.first];
   const double b = n_after_[range.last - 1] / n_before_[range.last - 1];
   const double ratio = std::min(a, b) / std::max(a, b);
@@ -108,36 +104,28 @@ bool Fan::all_would_leave(Range range) const {
 }
 
 /// Rays of the outermost bands of the range are traced already.
-bool Fan::may_share(Range range) const {
+bool Fan::may_share(BandRange range) const {
   if (!all_would_leave(range)) return false;
-  const BandRay& a = band_rays_[static_cast<std::size_t>(range.first)];
-  const BandRay& b = band_rays_[static_cast<std::size_t>(range.last - 1)];
+  const Hit &a = hit_of(range.first), &b = hit_of(range.last - 1);
   const double tolerance = plan_.settings.tolerance_pixels * pixel_angle_;
-  const double parted =
-      carried_direction_spread_ + glm::distance(a.state.ray.direction, b.state.ray.direction);
-  if (!a.hit && !b.hit) return parted <= tolerance;
-  if (!a.hit || !b.hit || a.hit->shape != b.hit->shape || a.hit->face != b.hit->face) return false;
+  const double parted = carried_direction_spread_ +
+                        glm::distance(direction_of(range.first), direction_of(range.last - 1));
+  if (!a.met() && !b.met()) return parted <= tolerance;
+  if (!a.met() || a.shape != b.shape || a.face != b.face) return false;
   // A path that goes on from there takes the parted directions along, over ways not known yet.
-  const MaterialPlan& material = plan_.materials[a.hit->material.index()];
+  const MaterialPlan& material = plan_.materials[a.material.index()];
   if ((material.reflects || material.transmits) && parted > tolerance) return false;
-  const double way = std::max(a.hit->t, b.hit->t);
-  const double spread = position_spread_ + carried_direction_spread_ * way +
-                        glm::distance(a.hit->point, b.hit->point);
-  return spread <= tolerance * (incoming_->path_length + incoming_->hit->t + way);
-}
-
-void Fan::want(int band) {
-  BandRay& ray = band_rays_[static_cast<std::size_t>(band)];
-  if (ray.traced) return;
-  ray.traced = true;
-  wanted_.push_back(band);
+  const double way = std::max(a.t, b.t);
+  const double spread =
+      position_spread_ + carried_direction_spread_ * way + glm::distance(a.point, b.point);
+  return spread <= tolerance * (incoming_->path_length + incoming_->hit.t + way);
 }
 
 /// How many sub-bundles of a range may be followed. The noise of a branch kept as m of them goes as
 /// importance^2 / m and its cost as m, so the least noise for a given cost is had with m in
 /// proportion to importance.
-std::size_t Fan::sub_bundles_allowed(Range range, double importance) const {
-  const double bands = range.last - range.first;
+std::size_t Fan::sub_bundles_allowed(BandRange range, double importance) const {
+  const double bands = range.size();
   if (plan_.follows_all()) return static_cast<std::size_t>(bands);
   const double live = std::max(plan_.live_count, 1);
   const double share = plan_.settings.max_fan * bands / live * std::min(importance, 1.0);
@@ -145,8 +133,8 @@ std::size_t Fan::sub_bundles_allowed(Range range, double importance) const {
 }
 
 /// The rule where no pixel's width says what is close together: equal parts, as many as allowed.
-void Fan::cut(Range whole, double importance) {
-  const int bands = whole.last - whole.first;
+void Fan::cut(BandRange whole, double importance) {
+  const int bands = whole.size();
   const int parts = std::min(static_cast<int>(sub_bundles_allowed(whole, importance)), bands);
   strata_.clear();
   for (int i = 0; i < parts; ++i)
@@ -155,28 +143,29 @@ void Fan::cut(Range whole, double importance) {
 
 /// Halves ranges of bands, all of one size before the next smaller, until each may share a ray or
 /// the path's share of sub-bundles is used up.
-void Fan::part(Range whole, double importance, PathWavelengths& wavelengths, RayCounts& counts) {
+void Fan::part(BandRange whole, double importance, PathWavelengths& wavelengths,
+               RayCounts& counts) {
   const std::size_t most = sub_bundles_allowed(whole, importance);
   strata_.clear();
   ranges_.assign(1, whole);
   while (!ranges_.empty()) {
-    for (const Range& r : ranges_) {
+    for (const BandRange& r : ranges_) {
       want(r.first);
       want(r.last - 1);
     }
-    trace_bands(counts);
+    trace_new_rays(counts);
     next_ranges_.clear();
     std::size_t waiting = ranges_.size();
-    for (const Range& r : ranges_) {
+    for (const BandRange& r : ranges_) {
       --waiting;
-      if (r.last - r.first == 1) {
+      if (r.size() == 1) {
         add_band(r.first, 1.0f);
       } else if (may_share(r)) {
         add_shared(r, wavelengths);
       } else if (cells_.size() + strata_.size() + next_ranges_.size() + waiting + 2 > most) {
         strata_.push_back(r);
       } else {
-        const int middle = r.first + (r.last - r.first) / 2;
+        const int middle = r.first + (r.size()) / 2;
         next_ranges_.push_back({r.first, middle});
         next_ranges_.push_back({middle, r.last});
       }
@@ -186,60 +175,54 @@ void Fan::part(Range whole, double importance, PathWavelengths& wavelengths, Ray
 }
 
 /// Of each range that could not be parted further one band goes on for all, with equal chances.
-void Fan::keep_one_of_each_stratum(double choice, RayCounts& counts) {
-  const auto kept = [&](const Range& r) {
-    const int size = r.last - r.first;
+void Fan::keep_one_of_each_stratum(double choice) {
+  const auto kept = [&](const BandRange& r) {
+    const int size = r.size();
     return r.first + std::min(static_cast<int>(choice * size), size - 1);
   };
-  for (const Range& r : strata_)
+  for (const BandRange& r : strata_) {
     want(kept(r));
-  trace_bands(counts);
-  for (const Range& r : strata_)
-    add_band(kept(r), static_cast<float>(r.last - r.first));
-}
-
-void Fan::trace_shared_cells(RayCounts& counts) {
-  packet_states_.clear();
-  for (const FanCell& cell : cells_)
-    if (cell.shared) packet_states_.push_back(cell.bundle.state);
-  packet_hits_.resize(packet_states_.size());
-  world_.closest(packet_states_, packet_hits_, plan_.settings.tracing);
-  counts.add(RayKind::refracted, packet_states_);
-  std::size_t next = 0;
-  for (FanCell& cell : cells_)
-    if (cell.shared) cell.bundle.hit = packet_hits_[next++];
+    add_band(kept(r), static_cast<float>(r.size()));
+  }
 }
 
 const std::vector<FanCell>& Fan::refract(const Bundle& bundle, int first, int last,
                                          double importance, PathWavelengths& wavelengths,
                                          double choice, RayCounts& counts) {
   prepare(bundle, first, last, wavelengths);
-  const Hit& hit = *bundle.hit;
   const auto achromatic = [&](MediumId id) { return plan_.medium(id).index.achromatic(); };
-  if (achromatic(hit.medium_before) && achromatic(hit.medium_after)) {
+  if (achromatic(bundle.hit.medium_before) && achromatic(bundle.hit.medium_after)) {
     add_undivided({first, last});
   } else if (plan_.settings.exact) {
-    for (int b = first; b < last; ++b)
+    for (int b = first; b < last; ++b) {
       want(b);
-    trace_bands(counts);
-    for (int b = first; b < last; ++b)
       add_band(b, 1.0f);
+    }
   } else {
     if (bundle.spread)
       cut({first, last}, importance);
     else
       part({first, last}, importance, wavelengths, counts);
-    keep_one_of_each_stratum(choice, counts);
+    keep_one_of_each_stratum(choice);
   }
-  trace_shared_cells(counts);
-  for (FanCell& cell : cells_) {
-    cell.bundle.depth = bundle.depth + 1;
-    cell.bundle.spread = bundle.spread;
-    cell.bundle.spreads = bundle.spreads;
-    cell.bundle.first_spread = bundle.first_spread;
-    cell.bundle.path_length = bundle.path_length + hit.t;
-  }
+  trace_new_rays(counts);
   return cells_;
+}
+
+void go_on_as(const FanCell& cell, const Bundle& bundle, Bundle& next) {
+  next.first = cell.first;
+  next.last = cell.last;
+  next.path_length = bundle.path_length + bundle.hit.t;
+  next.state = *cell.state;
+  next.hit = *cell.hit;
+  next.depth = bundle.depth + 1;
+  next.passed = 0.0;
+  next.density = 0.0;
+  next.spreads = bundle.spreads;
+  next.first_spread = bundle.first_spread;
+  next.spread = bundle.spread;
+  next.position_spread = cell.position_spread;
+  next.direction_spread = cell.direction_spread;
 }
 
 } // namespace abbe

@@ -11,10 +11,18 @@ namespace abbe {
 
 /// A sub-bundle behind a boundary, traced to what it meets next.
 struct FanCell {
-  Bundle bundle;
-  float weight = 1.0f; ///< 1 / probability that these bands were kept
-  bool shared = false; ///< its ray is none of the single bands' rays
+  int first = 0, last = 0; ///< bands [first, last)
+  float weight = 1.0f;     ///< 1 / probability that these bands were kept
+  bool shared = false;     ///< its ray is none of the single bands' rays
+  const RayState* state = nullptr;
+  const Hit* hit = nullptr;
+  double position_spread = 0.0, direction_spread = 0.0; ///< as of a Bundle
+
+  [[nodiscard]] int bands() const { return last - first; }
 };
+
+/// Makes `next` the sub-bundle with which `bundle` goes on behind its hit. Both may be the same.
+void go_on_as(const FanCell& cell, const Bundle& bundle, Bundle& next);
 
 /// Splits bundles where a boundary bends each band its own way. This is the one place where
 /// dispersion parts bands:
@@ -35,29 +43,22 @@ public:
                                       RayCounts& counts);
 
 private:
-  struct BandRay {
-    RayState state;
-    std::optional<Hit> hit;
-    bool traced = false;
-  };
-  struct Range {
-    int first, last;
-  };
-
   void prepare(const Bundle& bundle, int first, int last, PathWavelengths& wavelengths);
-  [[nodiscard]] RayState refracted_state(double n_before, double n_after) const;
+  std::size_t add_ray(double n_before, double n_after);
+  [[nodiscard]] const dvec3& direction_of(int band) const;
+  [[nodiscard]] const Hit& hit_of(int band) const;
   void want(int band);
-  void trace_bands(RayCounts& counts);
-  void trace_shared_cells(RayCounts& counts);
+  void trace_new_rays(RayCounts& counts);
   void add_band(int band, float weight);
-  void add_shared(Range range, PathWavelengths& wavelengths);
-  void add_undivided(Range range);
-  [[nodiscard]] bool all_would_leave(Range range) const;
-  [[nodiscard]] bool may_share(Range range) const;
-  [[nodiscard]] std::size_t sub_bundles_allowed(Range range, double importance) const;
-  void cut(Range whole, double importance);
-  void part(Range whole, double importance, PathWavelengths& wavelengths, RayCounts& counts);
-  void keep_one_of_each_stratum(double choice, RayCounts& counts);
+  void add_shared(BandRange range, PathWavelengths& wavelengths);
+  void add_undivided(BandRange range);
+  FanCell& add_shared_ray(BandRange range, double n_before, double n_after);
+  [[nodiscard]] bool all_would_leave(BandRange range) const;
+  [[nodiscard]] bool may_share(BandRange range) const;
+  [[nodiscard]] std::size_t sub_bundles_allowed(BandRange range, double importance) const;
+  void cut(BandRange whole, double importance);
+  void part(BandRange whole, double importance, PathWavelengths& wavelengths, RayCounts& counts);
+  void keep_one_of_each_stratum(double choice);
 
   const Plan& plan_;
   const World& world_;
@@ -70,11 +71,12 @@ private:
   const double* n_before_ = nullptr;
   const double* n_after_ = nullptr;
 
-  std::vector<BandRay> band_rays_;
-  std::vector<int> wanted_; ///< bands whose rays are to be traced next
-  std::vector<Range> ranges_, next_ranges_, strata_;
-  std::vector<RayState> packet_states_;
-  std::vector<std::optional<Hit>> packet_hits_;
+  // Rays in the order in which they were asked for: one for a band at most, and one for a cell.
+  std::size_t ray_count_ = 0, traced_count_ = 0;
+  std::vector<RayState> states_;
+  std::vector<Hit> hits_;
+  std::vector<int> ray_of_band_; ///< negative: none yet
+  std::vector<BandRange> ranges_, next_ranges_, strata_;
   std::vector<FanCell> cells_;
 };
 

@@ -81,7 +81,7 @@ double tent_offset(double u) {
 } // namespace
 
 Sampler::Sampler(int pixel_x, int pixel_y, std::uint32_t sample_index, std::uint64_t seed)
-    : index_(sample_index),
+    : reversed_index_(bits_reversed(sample_index)),
       key_(mixed(mixed(seed) ^
                  (static_cast<std::uint64_t>(static_cast<std::uint32_t>(pixel_x)) << 32 |
                   static_cast<std::uint32_t>(pixel_y)))) {}
@@ -89,14 +89,14 @@ Sampler::Sampler(int pixel_x, int pixel_y, std::uint32_t sample_index, std::uint
 dvec2 Sampler::pair(std::uint32_t purpose) const {
   const std::uint64_t a = mixed(key_ + purpose), b = mixed(a);
   const std::uint32_t index =
-      owen_scrambled_reverse_of(bits_reversed(index_), static_cast<std::uint32_t>(a));
+      owen_scrambled_reverse_of(reversed_index_, static_cast<std::uint32_t>(a));
   return {
       unit(owen_scrambled_reverse_of(index, static_cast<std::uint32_t>(a >> 32))),
       unit(owen_scrambled_reverse_of(sobol_second_reversed(index), static_cast<std::uint32_t>(b)))};
 }
 
 DecisionStream Sampler::decisions() const {
-  return DecisionStream(mixed(key_ ^ mixed(index_)));
+  return DecisionStream(mixed(key_ ^ mixed(bits_reversed(reversed_index_))));
 }
 
 double DecisionStream::next() {

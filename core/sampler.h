@@ -33,7 +33,7 @@ public:
   [[nodiscard]] DecisionStream decisions() const;
 
 private:
-  std::uint32_t index_;
+  std::uint32_t reversed_index_; ///< the sample's, its bits reversed
   std::uint64_t key_;
 };
 

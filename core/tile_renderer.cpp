@@ -81,11 +81,12 @@ void TileRenderer::finish_batch(bool empty, RayCounts& counts) {
     start_undivided();
   if (hits_.size() < states_.size()) hits_.resize(states_.size());
   const std::span<const RayState> states(states_);
-  const std::span<std::optional<Hit>> hits(hits_.data(), states.size());
+  const std::span<Hit> hits(hits_.data(), states.size());
   if (empty) {
-    std::fill(hits.begin(), hits.end(), std::nullopt);
+    for (Hit& hit : hits)
+      hit.shape = {};
   } else {
-    world_.closest(states, hits, plan_.settings.tracing);
+    world_.find_closest(states, hits, plan_.settings.tracing);
     counts.add(RayKind::camera, states);
   }
   std::size_t first = 0;
@@ -105,7 +106,7 @@ void TileRenderer::trace_sample(const CameraSample& sample, const CameraPaths& s
   integrator_->trace(start, sample.sampler, sums_, counts);
   bool covered = false;
   for (std::size_t i = 0; i < start.count; ++i)
-    covered |= start.hits[i].has_value();
+    covered |= start.hits[i].met();
   film_.add(sample.x, sample.y, sums_.color(), covered,
             film_.bands() > 0 ? sums_.radiance() : std::span<const float>());
 }

@@ -63,7 +63,7 @@ private:
   const CameraBundle undivided_; ///< what a sample starts with where no lens parts its bands
   std::vector<CameraBundle> bundles_;
   std::vector<RayState> states_;
-  std::vector<std::optional<Hit>> hits_;
+  std::vector<Hit> hits_;
 };
 
 } // namespace abbe

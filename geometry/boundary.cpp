@@ -111,6 +111,8 @@ bool resolve(const ShapeTable& shapes, const RayState& state, const Coincident& 
   hit.material = material_of(row, hit.face);
   place(shapes, row, state.ray.at(hit.t), hit);
 
+  hit.same_side.clear();
+  hit.other_side.clear();
   touch(hit, seen); // the surface that shows comes first
   hit.nesting_before = state.nesting;
   hit.nesting_after = state.nesting;

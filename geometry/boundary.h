@@ -49,7 +49,7 @@ private:
 
 /// What the ray meets at the nearest boundary, all coinciding crossings taken as one. A shape
 /// without a medium (opaque or flat) shows before any other; else the one whose medium prevails.
-/// Writes it to `hit`, which must be new. False where nothing is to be seen: equal media on both
+/// Writes it to `hit`, whatever that held. False where nothing is to be seen: equal media on both
 /// sides.
 [[nodiscard]] bool resolve(const ShapeTable& shapes, const RayState& state,
                            const Coincident& crossings, Hit& hit);

@@ -29,9 +29,11 @@ struct RayState {
   Nesting nesting;
 };
 
-/// What a ray meets next.
+/// What a ray meets next, if anything.
 struct Hit {
   Hit() {} // not `= default`: value-initialization would clear the lists' storage first
+
+  [[nodiscard]] bool met() const { return shape.valid(); }
 
   double t = 0.0;       ///< distance from the ray's origin
   dvec3 point{0.0};     ///< on the surface

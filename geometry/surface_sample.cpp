@@ -56,7 +56,7 @@ double local_area(const Disc&) {
 LocalSample local_sample(const Sphere&, const dvec2& u) {
   const double z = 1.0 - 2.0 * u.x;
   const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
-  const dvec3 p{r * std::cos(2.0 * kPi * u.y), r * std::sin(2.0 * kPi * u.y), z};
+  const dvec3 p(r * circle_point(u.y), z);
   return {p, p, 0};
 }
 double local_area(const Sphere&) {

@@ -130,12 +130,10 @@ struct World::Impl {
     return query;
   }
   [[nodiscard]] NearestCandidates nearest(const RayState& state, double distance) const;
-  [[nodiscard]] std::optional<Hit> closest(const RayState& state, double distance) const;
-  [[nodiscard]] std::optional<Hit> visible(const RayState& start, const NearestCandidates& nearest,
-                                           double distance) const;
-  void find_visible(const RayState& start, const NearestCandidates& nearest,
-                    std::optional<Hit>& hit) const;
-  void go_on_behind(const RayState& start, double distance, std::optional<Hit>& hit) const;
+  void find_closest(const RayState& state, double distance, Hit& hit) const;
+  void find_visible(const RayState& start, const NearestCandidates& nearest, double distance,
+                    Hit& hit) const;
+  void go_on_behind(const RayState& start, double distance, Hit& hit) const;
 };
 
 World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_origin)
@@ -169,51 +167,39 @@ NearestCandidates World::Impl::nearest(const RayState& state, double distance) c
   return found;
 }
 
-std::optional<Hit> World::Impl::closest(const RayState& state, double distance) const {
-  const NearestCandidates found = nearest(state, distance);
-  if (found.empty()) return std::nullopt;
-  return visible(state, found, distance);
+void World::Impl::find_closest(const RayState& state, double distance, Hit& hit) const {
+  find_visible(state, nearest(state, distance), distance, hit);
 }
 
-/// Turns the nearest candidates, of which there are some, into what is visible. (An empty optional
-/// would be cleared with all its storage before it is filled.)
-std::optional<Hit> World::Impl::visible(const RayState& start, const NearestCandidates& nearest,
-                                        double distance) const {
-  std::optional<Hit> hit(std::in_place);
-  if (!resolve(table, start, nearest.boundary(), *hit)) go_on_behind(start, distance, hit);
-  return hit;
-}
-
-/// The same to the caller's place.
+/// Turns the nearest candidates into what is visible.
 void World::Impl::find_visible(const RayState& start, const NearestCandidates& nearest,
-                               std::optional<Hit>& hit) const {
+                               double distance, Hit& hit) const {
   if (nearest.empty())
-    hit.reset();
-  else if (!resolve(table, start, nearest.boundary(), hit.emplace()))
-    go_on_behind(start, kInfinity, hit);
+    hit.shape = {};
+  else if (!resolve(table, start, nearest.boundary(), hit))
+    go_on_behind(start, distance, hit);
 }
 
 /// Goes on behind `hit`, which does not show, to the first boundary that does. After very many,
 /// which only rounding among many touching faces could make, it takes one that does not: a ray goes
 /// through it unchanged, since the media on its sides are equal.
-void World::Impl::go_on_behind(const RayState& start, double distance,
-                               std::optional<Hit>& hit) const {
+void World::Impl::go_on_behind(const RayState& start, double distance, Hit& hit) const {
   RayState state = start;
   double travelled = 0.0;
   bool visible = false;
   for (int passed_count = 0; !visible && passed_count < kMostPassed; ++passed_count) {
-    travelled += hit->t;
-    state.ray.origin = hit->point;
-    state.contacts = hit->other_side;
-    state.nesting = hit->nesting_after;
+    travelled += hit.t;
+    state.ray.origin = hit.point;
+    state.contacts = hit.other_side;
+    state.nesting = hit.nesting_after;
     const NearestCandidates next = nearest(state, distance - travelled);
     if (next.empty()) {
-      hit.reset();
+      hit.shape = {};
       return;
     }
-    visible = resolve(table, state, next.boundary(), hit.emplace());
+    visible = resolve(table, state, next.boundary(), hit);
   }
-  hit->t += travelled;
+  hit.t += travelled;
 }
 
 World::World(const std::vector<PlacedShape>& shapes, double farthest_coordinate)
@@ -223,16 +209,22 @@ World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
 std::optional<Hit> World::closest(const RayState& state) const {
-  return impl_->closest(state, kInfinity);
+  Hit hit;
+  find_closest(state, hit);
+  return hit.met() ? std::optional(hit) : std::nullopt;
 }
 
-void World::closest(std::span<const RayState> states, std::span<std::optional<Hit>> hits,
-                    Tracing tracing) const {
+void World::find_closest(const RayState& state, Hit& hit) const {
+  impl_->find_closest(state, kInfinity, hit);
+}
+
+void World::find_closest(std::span<const RayState> states, std::span<Hit> hits,
+                         Tracing tracing) const {
   for (std::size_t begin = 0; begin < states.size(); begin += kWidest) {
     const std::size_t count = std::min(kWidest, states.size() - begin);
     if (tracing == Tracing::single || count == 1) {
       for (std::size_t i = begin; i < begin + count; ++i)
-        impl_->find_visible(states[i], impl_->nearest(states[i], kInfinity), hits[i]);
+        find_closest(states[i], hits[i]);
       continue;
     }
     std::array<NearestCandidates, kWidest> nearest;
@@ -244,7 +236,7 @@ void World::closest(std::span<const RayState> states, std::span<std::optional<Hi
     else
       trace_packet<RTCRayHit16, 16>(impl_->scene.get(), query, count);
     for (std::size_t i = 0; i < count; ++i)
-      impl_->find_visible(states[begin + i], nearest[i], hits[begin + i]);
+      impl_->find_visible(states[begin + i], nearest[i], kInfinity, hits[begin + i]);
   }
 }
 
@@ -258,7 +250,9 @@ bool World::occluded(const RayState& state, double distance) const {
   embree::occluded(impl_->scene.get(), query.context, ray);
   if (ray.tfar < 0.0f) return true;
   if (!query.met_glass) return false;
-  return impl_->closest(state, distance).has_value();
+  Hit hit;
+  impl_->find_closest(state, distance, hit);
+  return hit.met();
 }
 
 std::size_t World::replay_closest(std::span<const RayState> states, int width) const {

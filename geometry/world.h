@@ -30,10 +30,10 @@ public:
   /// The first visible boundary along the ray. Boundaries between equal media, and those hidden
   /// inside a solid of higher priority, are passed.
   [[nodiscard]] std::optional<Hit> closest(const RayState& state) const;
-
+  /// The same, written where it stays: a copy would cost a good part of the query.
+  void find_closest(const RayState& state, Hit& hit) const;
   /// The same for rays that run close together; `hits` has the length of `states`.
-  void closest(std::span<const RayState> states, std::span<std::optional<Hit>> hits,
-               Tracing tracing) const;
+  void find_closest(std::span<const RayState> states, std::span<Hit> hits, Tracing tracing) const;
 
   /// True when a visible boundary (see `closest`) lies between the origin and `distance` along the
   /// ray. One that rounding cannot tell from the end does not count: a lamp may lie on a surface.

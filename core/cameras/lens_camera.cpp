@@ -1,5 +1,7 @@
 #include "core/cameras/lens_camera.h"
 
+#include "geometry/disc_point.h"
+
 #include "core/camera.h"
 #include "core/sampler.h"
 

@@ -37,34 +37,35 @@ dvec2 BundleWalk::numbers(SamplePurpose purpose) const {
 }
 
 const MaterialPlan& BundleWalk::find_material() {
-  material_ = &plan_.materials[bundle_.hit->material.index()];
+  material_ = &plan_.materials[bundle_.hit.material.index()];
   if (material_->mixed()) material_ = &part_of(plan_, *material_, numbers(kSurfaceChoice).y);
   return *material_;
 }
 
 void BundleWalk::prepare_scattering() {
-  const Hit& hit = *bundle_.hit;
+  const Hit& hit = bundle_.hit;
   scattering_.prepare(*material_, diffuse_at(plan_, world_, *material_, hit, textured_), hit,
                       bundle_.state.ray.direction, bundle_.first, bundle_.last, throughput_.data(),
                       wavelengths_);
 }
 
-void BundleWalk::push(const Bundle& bundle, const float* factors, double weight) {
+Bundle& BundleWalk::push(int first, int last, const float* factors, double weight) {
   const auto w = static_cast<float>(weight);
-  waiting_.push_back(bundle);
-  if (throughputs_.size() < waiting_.size() * plan_.stride)
+  if (waiting_.size() == waiting_count_) {
+    waiting_.emplace_back();
     throughputs_.resize(waiting_.size() * plan_.stride);
-  float* target = throughputs_.data() + (waiting_.size() - 1) * plan_.stride;
-  for (int b = bundle.first; b < bundle.last; ++b)
+  }
+  float* target = throughputs_.data() + waiting_count_ * plan_.stride;
+  for (int b = first; b < last; ++b)
     target[b] = throughput_[static_cast<std::size_t>(b)] * factors[b] * w;
+  return waiting_[waiting_count_++];
 }
 
 bool BundleWalk::resume() {
-  if (waiting_.empty()) return false;
-  bundle_ = waiting_.back();
-  const float* stored = throughputs_.data() + (waiting_.size() - 1) * plan_.stride;
+  if (waiting_count_ == 0) return false;
+  bundle_ = waiting_[--waiting_count_];
+  const float* stored = throughputs_.data() + waiting_count_ * plan_.stride;
   std::copy(stored + bundle_.first, stored + bundle_.last, throughput_.begin() + bundle_.first);
-  waiting_.pop_back();
   return true;
 }
 
@@ -96,7 +97,7 @@ bool BundleWalk::survives(MediumId medium) {
 
 /// Sets off along a direction and traces. `through`: to the other side of the surface.
 bool BundleWalk::leave(const dvec3& direction, bool through, RayKind kind) {
-  const Hit& hit = *bundle_.hit;
+  const Hit& hit = bundle_.hit;
   if (!survives(through ? hit.medium_after : hit.medium_before)) return false;
   bundle_.state.ray = {hit.point, direction};
   bundle_.state.contacts = through ? hit.other_side : hit.same_side;
@@ -105,13 +106,13 @@ bool BundleWalk::leave(const dvec3& direction, bool through, RayKind kind) {
   bundle_.path_length += hit.t;
   bundle_.passed = 0.0;
   ++bundle_.depth;
-  bundle_.hit = world_.closest(bundle_.state);
+  world_.find_closest(bundle_.state, bundle_.hit);
   counts_->add(kind, bundle_.state);
   return true;
 }
 
 bool BundleWalk::reflect(double chance) {
-  const Hit& hit = *bundle_.hit;
+  const Hit& hit = bundle_.hit;
   scale(scattering_.reflected(), 1.0 / chance);
   bundle_.density = 0.0;
   return leave(reflected(bundle_.state.ray.direction, hit.entering ? hit.normal : -hit.normal),
@@ -119,7 +120,7 @@ bool BundleWalk::reflect(double chance) {
 }
 
 bool BundleWalk::spread(const dvec3& direction, const float* f_cos, double density) {
-  const Hit& hit = *bundle_.hit;
+  const Hit& hit = bundle_.hit;
   scale(f_cos, 1.0 / density);
   bundle_.density = density;
   bundle_.spread = true;
@@ -132,30 +133,37 @@ bool BundleWalk::spread(const dvec3& direction, const float* f_cos, double densi
 /// The fan's sub-bundles wait for their turns; the last goes on at once.
 bool BundleWalk::refract(double chance) {
   scale(scattering_.transmitted(), 1.0 / chance);
-  bundle_.density = 0.0;
-  if (!survives(bundle_.hit->medium_after)) return false;
-  const double brought = importance(bundle_.hit->medium_after);
+  if (!survives(bundle_.hit.medium_after)) return false;
+  const double brought = importance(bundle_.hit.medium_after);
   // Bands under total reflection, and those without power, have no refracted ray. What remains is
   // one run of bands as a rule, and more where n(lambda) turns.
-  const auto passes = [&](int b) { return throughput_[static_cast<std::size_t>(b)] > 0.0f; };
-  const Bundle incoming = bundle_;
-  bool any = false;
-  for (int first = incoming.first; first < incoming.last;) {
-    if (!passes(first)) {
-      ++first;
-      continue;
+  const auto run_from = [&](int band) {
+    const auto passes = [&](int b) { return throughput_[static_cast<std::size_t>(b)] > 0.0f; };
+    BandRange run{band, band};
+    while (run.first < bundle_.last && !passes(run.first))
+      ++run.first;
+    run.last = run.first;
+    while (run.last < bundle_.last && passes(run.last))
+      ++run.last;
+    return run;
+  };
+  BandRange run = run_from(bundle_.first);
+  if (run.empty()) return false;
+  for (;;) {
+    const BandRange next = run_from(run.last);
+    const auto& cells =
+        fan_.refract(bundle_, run.first, run.last, brought, wavelengths_, band_choice_, *counts_);
+    const std::size_t waiting = next.empty() ? cells.size() - 1 : cells.size();
+    for (std::size_t i = 0; i < waiting; ++i)
+      go_on_as(cells[i], bundle_,
+               push(cells[i].first, cells[i].last, ones_.data(), cells[i].weight));
+    if (next.empty()) {
+      go_on_as(cells.back(), bundle_, bundle_);
+      scale(ones_.data(), cells.back().weight);
+      return true;
     }
-    int last = first + 1;
-    while (last < incoming.last && passes(last))
-      ++last;
-    for (const FanCell& cell :
-         fan_.refract(incoming, first, last, brought, wavelengths_, band_choice_, *counts_)) {
-      push(cell.bundle, ones_.data(), static_cast<double>(cell.weight));
-      any = true;
-    }
-    first = last;
+    run = next;
   }
-  return any && resume();
 }
 
 } // namespace abbe

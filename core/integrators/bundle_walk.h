@@ -20,9 +20,10 @@ protected:
   /// Two numbers in [0, 1) for a purpose at the surface that the bundle has met.
   [[nodiscard]] dvec2 numbers(SamplePurpose purpose) const;
 
-  /// A copy of a bundle waits for its turn, with the current throughput times factors per band and
-  /// a weight.
-  void push(const Bundle& bundle, const float* factors, double weight);
+  /// Room for a bundle of bands [first, last) that waits for its turn, with the current throughput
+  /// times factors per band and a weight. The bundle itself is the caller's to fill; what was there
+  /// before is of no use.
+  [[nodiscard]] Bundle& push(int first, int last, const float* factors, double weight);
   /// Takes up the bundle that was pushed last. False when none waits.
   bool resume();
 
@@ -62,7 +63,8 @@ private:
   const MaterialPlan* material_ = nullptr;
   const Sampler* sampler_ = nullptr;
   double band_choice_ = 0.0;
-  std::vector<Bundle> waiting_;
+  std::size_t waiting_count_ = 0;
+  std::vector<Bundle> waiting_;    ///< the first so many wait; the others are room for more
   std::vector<float> throughputs_; ///< rows of Plan::stride values, one per waiting bundle
 };
 

@@ -63,7 +63,7 @@ void LightPaths::trace(const EmittedRay& ray, const Sampler& sampler, double sha
   for (int b = first; b < last; ++b)
     throughput_[static_cast<std::size_t>(b)] =
         source.factor[b] != 0.0f ? plan_.live[static_cast<std::size_t>(b)] : 0.0f;
-  bundle_.hit = world_.closest(bundle_.state);
+  world_.find_closest(bundle_.state, bundle_.hit);
   counts.add(RayKind::light, bundle_.state);
   do
     follow();
@@ -71,23 +71,23 @@ void LightPaths::trace(const EmittedRay& ray, const Sampler& sampler, double sha
 }
 
 void LightPaths::follow() {
-  while (bundle_.hit && bundle_.depth < plan_.settings.max_depth)
+  while (bundle_.hit.met() && bundle_.depth < plan_.settings.max_depth)
     if (!go_on()) return;
 }
 
 bool LightPaths::arrive() {
   for (;;) {
-    const Hit& hit = *bundle_.hit;
+    const Hit& hit = bundle_.hit;
     absorb(plan_.medium(hit.medium_before), hit.t, bundle_.first, bundle_.last, throughput_.data());
     if (!plan_.unseen(hit)) return true;
     pass_unseen_boundary(bundle_, world_, *counts_);
-    if (!bundle_.hit) return false;
+    if (!bundle_.hit.met()) return false;
   }
 }
 
 bool LightPaths::go_on() {
   if (!arrive()) return false;
-  const Hit& hit = *bundle_.hit;
+  const Hit& hit = bundle_.hit;
   const MaterialPlan& material = find_material();
   // Light that is spread at once, from its lamp or again, is the camera paths' to find.
   const bool at_once = bundle_.depth == 0 || bundle_.density > 0.0;
@@ -121,16 +121,16 @@ void LightPaths::go_on_from_spread(const Hit& hit) {
   const DirectionSample way = towards(emission_.targets(), hit.point, numbers(kDirection));
   if (!(scattering_.evaluate(way.direction, light_.data()) > 0.0)) return;
   const bool through = (glm::dot(way.direction, hit.normal) > 0.0) != hit.entering;
-  Bundle next = bundle_;
+  Bundle& next = push(bundle_.first, bundle_.last, light_.data(), 1.0 / way.density);
+  next = bundle_;
   next.state.ray = {hit.point, way.direction};
   next.state.contacts = through ? hit.other_side : hit.same_side;
   next.state.nesting = through ? hit.nesting_after : hit.nesting_before;
   next.density = way.density;
   next.spreads = 1;
   ++next.depth;
-  next.hit = world_.closest(next.state);
+  world_.find_closest(next.state, next.hit);
   counts_->add(RayKind::spread, next.state);
-  push(next, light_.data(), 1.0 / way.density);
 }
 
 /// Connects the surface with the eye. With the pixels' area A at unit distance along the axis, a

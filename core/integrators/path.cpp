@@ -18,7 +18,7 @@ void Path::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums&
   single_scatter_.begin_path(sampler);
   sums_ = &sums;
   for (std::size_t i = 0; i < start.count; ++i) {
-    bundle_ = start.bundle(i);
+    start.begin(i, bundle_);
     for (auto b = static_cast<std::size_t>(bundle_.first);
          b < static_cast<std::size_t>(bundle_.last); ++b)
       throughput_[b] = plan_.live[b] * start.bundles[i].weight;
@@ -31,19 +31,19 @@ void Path::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums&
 void Path::follow() {
   do
     gather();
-  while (bundle_.hit && bundle_.depth < plan_.settings.max_depth && go_on());
+  while (bundle_.hit.met() && bundle_.depth < plan_.settings.max_depth && go_on());
 }
 
 void Path::gather() {
   const int first = bundle_.first, last = bundle_.last;
   single_scatter_.arrive(bundle_, throughput_.data(), wavelengths_, *sums_, *counts_);
-  if (!bundle_.hit) {
+  if (!bundle_.hit.met()) {
     const bool suns = !comes_by_mirrors_and_glass() || !found_otherwise_;
     lamps_.add_sky(bundle_.state.ray.direction, bundle_.density, suns, throughput_.data(), first,
                    last, *sums_);
     return;
   }
-  const Hit& hit = *bundle_.hit;
+  const Hit& hit = bundle_.hit;
   const MaterialPlan& material = find_material();
   if (!material.emits(hit) || found_otherwise(hit)) return;
   double weight = 1.0;
@@ -75,7 +75,7 @@ bool Path::comes_by_mirrors_and_glass() const {
 }
 
 bool Path::go_on() {
-  const Hit& hit = *bundle_.hit;
+  const Hit& hit = bundle_.hit;
   prepare_scattering();
   if (scattering_.spreads()) {
     if (!lamps_.empty()) aim_at_a_lamp(hit);
@@ -93,7 +93,8 @@ bool Path::go_on() {
   case ScatterKind::spread:
     break;
   }
-  const auto direction = scattering_.sample(numbers(kDirection), numbers(kLobe));
+  const auto direction = scattering_.sample(numbers(kDirection),
+                                            scattering_.has_lobes() ? numbers(kLobe) : dvec2(0.0));
   if (!direction) return false;
   const double density = scattering_.evaluate(*direction, light_.data());
   return density > 0.0 && spread(*direction, light_.data(), density);

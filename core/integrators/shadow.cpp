@@ -32,28 +32,29 @@ const float* ShadowRays::transmittance(const RayState& towards_lamp, double dist
 
 bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
                            PathWavelengths& wavelengths, RayCounts& counts) {
+  Hit hit;
   for (;;) {
     counts.add(RayKind::shadow, state);
-    const auto hit = world_.closest(state);
-    const double way = hit ? std::min(hit->t, distance) : distance;
-    const MediumId medium = hit ? hit->medium_before : world_.medium_of(state.nesting);
+    world_.find_closest(state, hit);
+    const double way = hit.met() ? std::min(hit.t, distance) : distance;
+    const MediumId medium = hit.met() ? hit.medium_before : world_.medium_of(state.nesting);
     absorb(plan_.medium(medium), way, first, last, transmittance_.data());
-    if (!hit || hit->t >= distance) return true;
-    const MaterialPlan& material = plan_.materials[hit->material.index()];
+    if (!hit.met() || hit.t >= distance) return true;
+    const MaterialPlan& material = plan_.materials[hit.material.index()];
     // The way may end on a lamp that glows; whether it does, rounding must not decide.
     if (material.emission_source >= 0 && !world_.occluded(state, distance)) return true;
-    if (!plan_.unseen(*hit)) {
+    if (!plan_.unseen(hit)) {
       if (!material.transmits || plan_.settings.shadows == ShadowRule::opaque) return false;
       // The path tracer finds what comes through rough glass by scattering.
       if (material.roughness > 0.0 && plan_.settings.integrator == Integrator::path) return false;
-      const double cos_i = std::min(1.0, std::abs(glm::dot(hit->normal, state.ray.direction)));
-      pass(material, *hit, cos_i, first, last, wavelengths, transmittance_);
+      const double cos_i = std::min(1.0, std::abs(glm::dot(hit.normal, state.ray.direction)));
+      pass(material, hit, cos_i, first, last, wavelengths, transmittance_);
       through_glass_ = true;
     }
-    state.ray.origin = hit->point;
-    state.contacts = hit->other_side;
-    state.nesting = hit->nesting_after;
-    distance -= hit->t;
+    state.ray.origin = hit.point;
+    state.contacts = hit.other_side;
+    state.nesting = hit.nesting_after;
+    distance -= hit.t;
   }
 }
 

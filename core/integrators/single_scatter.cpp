@@ -29,12 +29,13 @@ void SingleScatter::begin_path(const Sampler& sampler) {
 void SingleScatter::arrive(Bundle& bundle, float* throughput, PathWavelengths& wavelengths,
                            RadianceSums& sums, RayCounts& counts) {
   for (;;) {
-    const double way = bundle.hit ? bundle.hit->t : kInfinity;
-    const MediumPlan& medium = plan_.medium(bundle.hit ? bundle.hit->medium_before
-                                                       : world_.medium_of(bundle.state.nesting));
+    const Hit& hit = bundle.hit;
+    const double way = hit.met() ? hit.t : kInfinity;
+    const MediumPlan& medium =
+        plan_.medium(hit.met() ? hit.medium_before : world_.medium_of(bundle.state.nesting));
     if (medium.drops) add(bundle, way, medium, throughput, wavelengths, sums, counts);
     absorb(medium, way, bundle.first, bundle.last, throughput);
-    if (!bundle.hit || !plan_.unseen(*bundle.hit)) return;
+    if (!hit.met() || !plan_.unseen(hit)) return;
     pass_unseen_boundary(bundle, world_, counts);
   }
 }

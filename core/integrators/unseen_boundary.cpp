@@ -3,14 +3,14 @@
 namespace abbe {
 
 void pass_unseen_boundary(Bundle& bundle, const World& world, RayCounts& counts) {
-  const Hit& hit = *bundle.hit;
+  const Hit& hit = bundle.hit;
   bundle.state.ray.origin = hit.point;
   bundle.state.contacts = hit.other_side;
   bundle.state.nesting = hit.nesting_after;
   bundle.passed += hit.t;
   bundle.path_length += hit.t;
   bundle.position_spread += bundle.direction_spread * hit.t;
-  bundle.hit = world.closest(bundle.state);
+  world.find_closest(bundle.state, bundle.hit);
   counts.add(RayKind::refracted, bundle.state);
 }
 

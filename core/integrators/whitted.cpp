@@ -33,13 +33,15 @@ Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, const
   scatter_.transmitted.resize(plan.stride);
 }
 
-void Whitted::push(const Bundle& bundle, const float* throughput, float factor) {
-  waiting_.push_back(bundle);
-  if (throughputs_.size() < waiting_.size() * plan_.stride)
+Bundle& Whitted::push(int first, int last, const float* throughput, float factor) {
+  if (waiting_.size() == waiting_count_) {
+    waiting_.emplace_back();
     throughputs_.resize(waiting_.size() * plan_.stride);
-  float* target = row(waiting_.size() - 1);
-  for (int b = bundle.first; b < bundle.last; ++b)
+  }
+  float* target = row(waiting_count_);
+  for (int b = first; b < last; ++b)
     target[b] = throughput[b] * factor;
+  return waiting_[waiting_count_++];
 }
 
 void Whitted::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
@@ -49,18 +51,19 @@ void Whitted::trace(const CameraPaths& start, const Sampler& sampler, RadianceSu
   single_scatter_.begin_path(sampler);
   wavelengths_.begin_path(plan_.settings.jitter ? u.x : 0.5);
   for (std::size_t i = 0; i < start.count; ++i)
-    push(start.bundle(i), plan_.live.data(), start.bundles[i].weight);
-  while (!waiting_.empty()) {
-    Bundle bundle = waiting_.back();
-    const float* stored = row(waiting_.size() - 1);
+    start.begin(i, push(start.bundles[i].first, start.bundles[i].last, plan_.live.data(),
+                        start.bundles[i].weight));
+  while (waiting_count_ > 0) {
+    Bundle& bundle = bundle_;
+    bundle = waiting_[--waiting_count_];
+    const float* stored = row(waiting_count_);
     std::copy(stored + bundle.first, stored + bundle.last, throughput_.begin() + bundle.first);
-    waiting_.pop_back();
     single_scatter_.arrive(bundle, throughput_.data(), wavelengths_, sums, counts);
-    if (!bundle.hit) {
+    if (!bundle.hit.met()) {
       add_background(bundle, sums);
       continue;
     }
-    const MaterialPlan* material = &plan_.materials[bundle.hit->material.index()];
+    const MaterialPlan* material = &plan_.materials[bundle.hit.material.index()];
     if (material->mixed()) material = &part_of(plan_, *material, decisions_.next());
     shade(bundle, *material, sums, counts);
     if (bundle.depth < plan_.settings.max_depth) scatter(bundle, *material, u.y, counts);
@@ -77,7 +80,7 @@ void Whitted::shade(const Bundle& bundle, const MaterialPlan& material, Radiance
   const auto add = [&](int source, const BandTable& factor) {
     sums.add(source, throughput_.data(), factor, 1.0f, bundle.first, bundle.last);
   };
-  const Hit& hit = *bundle.hit;
+  const Hit& hit = bundle.hit;
   if (material.emits(hit)) add(material.emission_source, ones_);
   if (!material.ambient.zero()) add(Plan::kAmbient, material.ambient);
   if (material.lit) add_lamps(bundle, material, sums, counts);
@@ -89,7 +92,7 @@ const float* Whitted::diffuse_under_coat(const Bundle& bundle, const MaterialPla
                                          const BandTable& diffuse, double cos_o, double cos_i) {
   const auto at = [](double mu) { return dvec3{std::sqrt(std::max(0.0, 1.0 - mu * mu)), 0.0, mu}; };
   const SurfaceOptics optics =
-      material_optics(material, bundle.hit->medium_before, bundle.hit->medium_after, wavelengths_);
+      material_optics(material, bundle.hit.medium_before, bundle.hit.medium_after, wavelengths_);
   (void)evaluate_coated_diffuse({diffuse.data(), std::nullopt, nullptr}, optics, at(cos_o),
                                 at(cos_i), {bundle.first, bundle.last}, coated_.data());
   for (int b = bundle.first; b < bundle.last; ++b)
@@ -99,7 +102,7 @@ const float* Whitted::diffuse_under_coat(const Bundle& bundle, const MaterialPla
 
 void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
                         RayCounts& counts) {
-  const Hit& hit = *bundle.hit;
+  const Hit& hit = bundle.hit;
   const BandTable& diffuse = diffuse_at(plan_, world_, material, hit, textured_);
   const dvec3 to_eye = -bundle.state.ray.direction;
   const dvec3 normal = hit.entering ? hit.normal : -hit.normal;
@@ -155,7 +158,7 @@ double Whitted::chance(double importance, int bands) const {
 
 void Whitted::scatter(const Bundle& bundle, const MaterialPlan& material, double choice,
                       RayCounts& counts) {
-  const Hit& hit = *bundle.hit;
+  const Hit& hit = bundle.hit;
   if (!material.reflects && !material.transmits) return;
   const double cos_i = std::min(1.0, std::abs(glm::dot(hit.normal, bundle.state.ray.direction)));
   if (material.film >= 0 || material.coat >= 0) {
@@ -185,13 +188,15 @@ void Whitted::scatter(const Bundle& bundle, const MaterialPlan& material, double
 }
 
 void Whitted::reflect(const Bundle& bundle, const float* factors, RayCounts& counts) {
-  const Hit& hit = *bundle.hit;
+  const Hit& hit = bundle.hit;
   const double brought =
       importance(throughput_.data(), factors, bundle.first, bundle.last, hit.medium_before);
   if (!(brought > plan_.settings.min_throughput)) return;
   const double survives = chance(brought, bundle.bands());
   if (survives < 1.0 && decisions_.next() >= survives) return;
-  Bundle next;
+  for (int b = bundle.first; b < bundle.last; ++b)
+    lit_[static_cast<std::size_t>(b)] = throughput_[static_cast<std::size_t>(b)] * factors[b];
+  Bundle& next = push(bundle.first, bundle.last, lit_.data(), static_cast<float>(1.0 / survives));
   next.first = bundle.first;
   next.last = bundle.last;
   next.direction_spread = bundle.direction_spread;
@@ -203,11 +208,9 @@ void Whitted::reflect(const Bundle& bundle, const float* factors, RayCounts& cou
   next.depth = bundle.depth + 1;
   next.path_length = bundle.path_length + hit.t;
   next.position_spread = bundle.position_spread + bundle.direction_spread * hit.t;
-  next.hit = world_.closest(next.state);
+  next.passed = 0.0;
+  world_.find_closest(next.state, next.hit);
   counts.add(RayKind::reflected, next.state);
-  for (int b = bundle.first; b < bundle.last; ++b)
-    lit_[static_cast<std::size_t>(b)] = throughput_[static_cast<std::size_t>(b)] * factors[b];
-  push(next, lit_.data(), static_cast<float>(1.0 / survives));
 }
 
 void Whitted::refract(const Bundle& bundle, double choice, RayCounts& counts) {
@@ -226,11 +229,11 @@ void Whitted::refract(const Bundle& bundle, double choice, RayCounts& counts) {
     while (last < bundle.last && passes(last))
       ++last;
     const double brought =
-        importance(lit_.data(), ones_.data(), first, last, bundle.hit->medium_after);
+        importance(lit_.data(), ones_.data(), first, last, bundle.hit.medium_after);
     if (brought > plan_.settings.min_throughput)
       for (const FanCell& cell :
            fan_.refract(bundle, first, last, brought, wavelengths_, choice, counts))
-        push(cell.bundle, lit_.data(), cell.weight);
+        go_on_as(cell, bundle, push(cell.first, cell.last, lit_.data(), cell.weight));
     first = last;
   }
 }

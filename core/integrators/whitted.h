@@ -24,8 +24,9 @@ public:
              RayCounts& counts) override;
 
 private:
-  /// A bundle that waits for its turn; its throughput is the row of the same number.
-  void push(const Bundle& bundle, const float* throughput, float factor);
+  /// Room for a bundle of bands [first, last) that waits for its turn; its throughput is the row of
+  /// the same number. The bundle is the caller's to fill; what was there before is of no use.
+  [[nodiscard]] Bundle& push(int first, int last, const float* throughput, float factor);
   [[nodiscard]] float* row(std::size_t i) { return throughputs_.data() + i * plan_.stride; }
 
   void add_background(const Bundle& bundle, RadianceSums& sums);
@@ -56,7 +57,9 @@ private:
   BandTable ones_, textured_;
   DecisionStream decisions_;
 
-  std::vector<Bundle> waiting_;
+  Bundle bundle_; ///< on its way
+  std::size_t waiting_count_ = 0;
+  std::vector<Bundle> waiting_;    ///< the first so many wait; the others are room for more
   std::vector<float> throughputs_; ///< rows of Plan::stride values, one per waiting bundle
   std::vector<float> throughput_;  ///< of the bundle being shaded
   std::vector<float> lit_;         ///< the same after a shadow ray

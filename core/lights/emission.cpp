@@ -233,10 +233,8 @@ std::optional<EmittedRay> Emitter::from_afar(const dvec3& direction, const Sampl
   const Frame frame(direction);
   dvec2 u = sampler.pair(kEmissionPoint);
   const std::size_t chosen = one_of(targets_.size(), u.x);
-  const double radius = targets_[chosen].radius * std::sqrt(u.x);
-  const double angle = 2.0 * kPi * u.y;
-  const dvec3 place = targets_[chosen].center + radius * std::cos(angle) * frame.x +
-                      radius * std::sin(angle) * frame.y;
+  const dvec2 across = targets_[chosen].radius * std::sqrt(u.x) * circle_point(u.y);
+  const dvec3 place = targets_[chosen].center + across.x * frame.x + across.y * frame.y;
   double density = 0.0, back = 0.0;
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     const EmissionTarget& target = targets_[i];

@@ -1,5 +1,6 @@
 #include "core/lights/environment_map.h"
 
+#include "geometry/circle_point.h"
 #include "spectral/smooth_emissions.h"
 
 #include <glm/geometric.hpp>
@@ -132,8 +133,8 @@ dvec3 EnvironmentMap::sample(const dvec2& u) const {
   const double y = row_cosines_[cell.row] +
                    cell.inside.y * (row_cosines_[cell.row + 1] - row_cosines_[cell.row]);
   const double across = std::sqrt(std::max(0.0, 1.0 - y * y));
-  const double angle = 2.0 * kPi * turn;
-  return glm::normalize(to_world_ * dvec3(across * std::sin(angle), y, -across * std::cos(angle)));
+  const dvec2 p = across * circle_point(turn);
+  return glm::normalize(to_world_ * dvec3(p.y, y, -p.x));
 }
 
 double EnvironmentMap::density(const dvec3& direction) const {

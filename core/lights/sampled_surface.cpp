@@ -170,7 +170,7 @@ double BallSurface::area() const {
 std::optional<SeenPoint> EllipsoidSurface::sample(const dvec3& place, const dvec2& u) const {
   const double z = 1.0 - 2.0 * u.x;
   const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
-  const dvec3 local{r * std::cos(2.0 * kPi * u.y), r * std::sin(2.0 * kPi * u.y), z};
+  const dvec3 local(r * circle_point(u.y), z);
   const dvec3 normal = to_world.normal(local);
   return seen_from(place, to_world.point(local), normal, area_density(normal), false);
 }

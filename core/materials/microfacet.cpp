@@ -1,5 +1,7 @@
 #include "core/materials/microfacet.h"
 
+#include "geometry/circle_point.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -35,8 +37,7 @@ dvec3 Ggx::sample_visible_normal(const dvec3& wo, const dvec2& u) const {
   const dvec3 stretched = glm::normalize(dvec3{alpha * wo.x, alpha * wo.y, wo.z});
   const double from_top = u.y * (1.0 + stretched.z); // 1 - z of a point on the cap
   const double radius = std::sqrt(std::max(0.0, from_top * (2.0 - from_top)));
-  const double phi = 2.0 * std::numbers::pi * u.x;
-  const dvec3 on_cap{radius * std::cos(phi), radius * std::sin(phi), 1.0 - from_top};
+  const dvec3 on_cap(radius * circle_point(u.x), 1.0 - from_top);
   const dvec3 h = on_cap + stretched;
   return glm::normalize(dvec3{alpha * h.x, alpha * h.y, std::max(0.0, h.z)});
 }
@@ -47,8 +48,7 @@ double Ggx::visible_density(const dvec3& wo, const dvec3& h) const {
 }
 
 dvec3 sample_cosine_hemisphere(const dvec2& u) {
-  const double radius = std::sqrt(u.x), phi = 2.0 * std::numbers::pi * u.y;
-  return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1.0 - u.x)};
+  return {std::sqrt(u.x) * circle_point(u.y), std::sqrt(1.0 - u.x)};
 }
 
 } // namespace abbe

@@ -213,7 +213,7 @@ dvec3 Scattering::sample_phong(const dvec2& u) const {
   const double e = static_cast<double>(material_->specular_exponent);
   const double z = std::pow(u.x, 1.0 / (e + 1.0));
   const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
-  const dvec3 half{r * std::cos(2.0 * kPi * u.y), r * std::sin(2.0 * kPi * u.y), z};
+  const dvec3 half(r * circle_point(u.y), z);
   return 2.0 * glm::dot(to_eye_, half) * half - to_eye_;
 }
 
@@ -270,7 +270,7 @@ std::optional<dvec3> Scattering::sample(const dvec2& u, const dvec2& lobe) const
     if (!(local && local->z > 0.0)) return std::nullopt;
   }
   if (!local) return std::nullopt;
-  return glm::normalize(frame_.to_world(*local));
+  return frame_.to_world(*local);
 }
 
 } // namespace abbe

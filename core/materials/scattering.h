@@ -68,6 +68,8 @@ public:
   /// the direction, `lobe` the way and the band by which a rough surface sends it. The part has
   /// been chosen already. Nothing where the direction has no light to bring.
   [[nodiscard]] std::optional<dvec3> sample(const dvec2& u, const dvec2& lobe) const;
+  /// False when `sample` makes no use of `lobe`.
+  [[nodiscard]] bool has_lobes() const { return facets_ > 0.0 || material_->coat >= 0; }
 
 private:
   void find_smooth_parts(PathWavelengths& wavelengths);

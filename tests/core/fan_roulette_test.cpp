@@ -56,7 +56,7 @@ TEST_CASE("a path follows no more cells than its share, and each stands for its 
       CHECK(2 * cells.size() > static_cast<std::size_t>(most)); // and makes use of it
       float sum = 0.0f;
       for (const FanCell& cell : cells) {
-        CHECK(cell.bundle.bands() == 1);
+        CHECK(cell.bands() == 1);
         CHECK_FALSE(cell.shared);
         sum += cell.weight;
       }
@@ -84,7 +84,7 @@ TEST_CASE("over all choices every band has the mean weight 1") {
     std::vector<double> mean(81);
     for (int i = 0; i < kChoices; ++i)
       for (const FanCell& cell : s.refract((i + 0.5) / kChoices))
-        mean[static_cast<std::size_t>(cell.bundle.first)] +=
+        mean[static_cast<std::size_t>(cell.first)] +=
             static_cast<double>(cell.weight) / kChoices;
     for (const double m : mean)
       CHECK(m == Approx(1.0).margin(0.01));

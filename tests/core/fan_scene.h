@@ -27,7 +27,7 @@ struct FanScene {
     bundle.last = plan.last_band;
     bundle.state.ray = camera.ray(pixel);
     bundle.state.nesting = world.nesting_at(scene.camera.eye);
-    bundle.hit = world.closest(bundle.state);
+    world.find_closest(bundle.state, bundle.hit);
   }
   FanScene(const FanScene&) = delete; // the fan refers to the plan
   FanScene& operator=(const FanScene&) = delete;

@@ -56,18 +56,18 @@ TEST_CASE("packets and single rays give the same bits") {
           state.nesting = world.nesting_at(state.ray.origin);
         }
         for (int bounce = 0; bounce < 3; ++bounce) {
-          std::vector<std::optional<Hit>> single(count), packet(count);
-          world.closest(states, single, Tracing::single);
-          world.closest(states, packet, Tracing::packets);
+          std::vector<Hit> single(count), packet(count);
+          world.find_closest(states, single, Tracing::single);
+          world.find_closest(states, packet, Tracing::packets);
           for (std::size_t i = 0; i < count; ++i) {
             ++rays;
-            REQUIRE(single[i].has_value() == packet[i].has_value());
-            if (!single[i]) continue;
+            REQUIRE(single[i].met() == packet[i].met());
+            if (!single[i].met()) continue;
             ++hits;
-            REQUIRE(same(*single[i], *packet[i]));
-            states[i] = {{single[i]->point, states[i].ray.direction},
-                         single[i]->other_side,
-                         single[i]->nesting_after};
+            REQUIRE(same(single[i], packet[i]));
+            states[i] = {{single[i].point, states[i].ray.direction},
+                         single[i].other_side,
+                         single[i].nesting_after};
           }
         }
       }

@@ -1,5 +1,6 @@
 #include "core/camera.h"
 #include "core/sampler.h"
+#include "geometry/disc_point.h"
 #include "tests/catch.h"
 #include "tests/render_text.h"
 
