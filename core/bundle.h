@@ -1,18 +1,11 @@
 #pragma once
 
+#include "core/band_range.h"
 #include "geometry/ray_state.h"
 
 #include <cstddef>
 
 namespace abbe {
-
-/// Bands [first, last).
-struct BandRange {
-  int first = 0, last = 0;
-
-  [[nodiscard]] int size() const { return last - first; }
-  [[nodiscard]] bool empty() const { return first == last; }
-};
 
 /// A contiguous range of bands that share one ray. Its throughput per band lies beside it.
 struct Bundle {

@@ -8,7 +8,7 @@
 namespace abbe {
 
 Fan::Fan(const Plan& plan, const World& world, double pixel_angle)
-    : plan_(plan), world_(world), pixel_angle_(pixel_angle),
+    : plan_(plan), world_(world), tolerance_(plan.settings.tolerance_pixels * pixel_angle),
       states_(2 * static_cast<std::size_t>(plan.grid.count())), hits_(states_.size()),
       ray_of_band_(static_cast<std::size_t>(plan.grid.count())) {}
 
@@ -32,15 +32,18 @@ void Fan::prepare(const Bundle& bundle, int first, int last, PathWavelengths& wa
   carried_direction_spread_ = bundle.direction_spread * cos_i_ / std::max(eta * cos_t, 1e-3);
 }
 
+dvec3 Fan::refracted_direction(double n_before, double n_after) const {
+  const double eta = n_after / n_before;
+  const double cos_t = refracted_cosine(cos_i_, eta).value_or(0.0);
+  return refracted(incoming_->state.ray.direction, facing_normal_, cos_i_, cos_t, eta);
+}
+
 /// The incoming ray refracted; its number.
 std::size_t Fan::add_ray(double n_before, double n_after) {
   const Hit& hit = incoming_->hit;
-  const double eta = n_after / n_before;
-  const double cos_t = refracted_cosine(cos_i_, eta).value_or(0.0);
   RayState& state = states_[ray_count_];
   state.ray.origin = hit.point;
-  state.ray.direction =
-      refracted(incoming_->state.ray.direction, facing_normal_, cos_i_, cos_t, eta);
+  state.ray.direction = refracted_direction(n_before, n_after);
   state.contacts = hit.other_side;
   state.nesting = hit.nesting_after;
   return ray_count_++;
@@ -103,42 +106,83 @@ bool Fan::all_would_leave(BandRange range) const {
   return cos_i_ * cos_i_ > 1.0 - ratio * ratio;
 }
 
+/// A path that meets something that mirrors or refracts takes parted directions along, over ways
+/// not known yet.
+bool Fan::goes_on_behind(const Hit& hit) const {
+  const MaterialPlan& material = plan_.materials[hit.material.index()];
+  return material.reflects || material.transmits;
+}
+
+/// The angle between the rays of the outermost bands, with what earlier surfaces have done.
+double Fan::parted(BandRange range) const {
+  return carried_direction_spread_ +
+         glm::distance(refracted_direction(n_before_[range.first], n_after_[range.first]),
+                       refracted_direction(n_before_[range.last - 1], n_after_[range.last - 1]));
+}
+
 /// Rays of the outermost bands of the range are traced already.
 bool Fan::may_share(BandRange range) const {
   if (!all_would_leave(range)) return false;
   const Hit &a = hit_of(range.first), &b = hit_of(range.last - 1);
-  const double tolerance = plan_.settings.tolerance_pixels * pixel_angle_;
-  const double parted = carried_direction_spread_ +
-                        glm::distance(direction_of(range.first), direction_of(range.last - 1));
-  if (!a.met() && !b.met()) return parted <= tolerance;
+  const double apart = carried_direction_spread_ +
+                       glm::distance(direction_of(range.first), direction_of(range.last - 1));
+  if (!a.met() && !b.met()) return apart <= tolerance_;
   if (!a.met() || a.shape != b.shape || a.face != b.face) return false;
-  // A path that goes on from there takes the parted directions along, over ways not known yet.
-  const MaterialPlan& material = plan_.materials[a.material.index()];
-  if ((material.reflects || material.transmits) && parted > tolerance) return false;
+  if (goes_on_behind(a) && apart > tolerance_) return false;
   const double way = std::max(a.t, b.t);
   const double spread =
       position_spread_ + carried_direction_spread_ * way + glm::distance(a.point, b.point);
-  return spread <= tolerance * (incoming_->path_length + incoming_->hit.t + way);
+  return spread <= tolerance_ * (incoming_->path_length + incoming_->hit.t + way);
 }
 
 /// How many sub-bundles of a range may be followed. The noise of a branch kept as m of them goes as
 /// importance^2 / m and its cost as m, so the least noise for a given cost is had with m in
 /// proportion to importance.
 std::size_t Fan::sub_bundles_allowed(BandRange range, double importance) const {
-  const double bands = range.size();
-  if (plan_.follows_all()) return static_cast<std::size_t>(bands);
-  const double live = std::max(plan_.live_count, 1);
-  const double share = plan_.settings.max_fan * bands / live * std::min(importance, 1.0);
+  if (plan_.follows_all()) return static_cast<std::size_t>(range.size());
+  const double share = plan_.settings.max_fan * plan_.shares.of(range) * std::min(importance, 1.0);
   return static_cast<std::size_t>(std::max(1.0, std::round(share)));
 }
 
 /// The rule where no pixel's width says what is close together: equal parts, as many as allowed.
 void Fan::cut(BandRange whole, double importance) {
-  const int bands = whole.size();
-  const int parts = std::min(static_cast<int>(sub_bundles_allowed(whole, importance)), bands);
+  const int parts =
+      std::min(static_cast<int>(sub_bundles_allowed(whole, importance)), whole.size());
   strata_.clear();
-  for (int i = 0; i < parts; ++i)
-    strata_.push_back({whole.first + bands * i / parts, whole.first + bands * (i + 1) / parts});
+  for (BandRange rest = whole; !rest.empty();) {
+    const int left = parts - static_cast<int>(strata_.size());
+    const int end = left > 1 && rest.size() > 1 ? plan_.shares.place(rest, 1.0 / left) : rest.last;
+    strata_.push_back({rest.first, end});
+    rest.first = end;
+  }
+}
+
+/// Where as many ranges as are allowed are still too far parted in direction, and the rays of
+/// the bands that are kept of them find nothing on which they could end, no range may be shared:
+/// the rays that would prove it need not be traced. Fills `strata_` then.
+bool Fan::part_by_directions(BandRange whole, std::size_t most, RayCounts& counts) {
+  strata_.assign(1, whole);
+  for (std::size_t i = 0; strata_.size() < most && i < strata_.size();) {
+    const BandRange r = strata_[i];
+    if (r.size() == 1) {
+      ++i;
+      continue;
+    }
+    if (parted(r) <= tolerance_) return false;
+    const int middle = plan_.shares.middle(r);
+    strata_.erase(strata_.begin() + static_cast<std::ptrdiff_t>(i));
+    strata_.push_back({r.first, middle});
+    strata_.push_back({middle, r.last});
+  }
+  for (const BandRange& r : strata_)
+    if (r.size() > 1 && parted(r) <= tolerance_) return false;
+  for (const BandRange& r : strata_)
+    want(plan_.shares.keep_one(r, choice_).band);
+  trace_new_rays(counts);
+  return std::all_of(strata_.begin(), strata_.end(), [&](const BandRange& r) {
+    const Hit& hit = hit_of(plan_.shares.keep_one(r, choice_).band);
+    return !hit.met() || goes_on_behind(hit);
+  });
 }
 
 /// Halves ranges of bands, all of one size before the next smaller, until each may share a ray or
@@ -146,6 +190,7 @@ void Fan::cut(BandRange whole, double importance) {
 void Fan::part(BandRange whole, double importance, PathWavelengths& wavelengths,
                RayCounts& counts) {
   const std::size_t most = sub_bundles_allowed(whole, importance);
+  if (part_by_directions(whole, most, counts)) return;
   strata_.clear();
   ranges_.assign(1, whole);
   while (!ranges_.empty()) {
@@ -165,7 +210,7 @@ void Fan::part(BandRange whole, double importance, PathWavelengths& wavelengths,
       } else if (cells_.size() + strata_.size() + next_ranges_.size() + waiting + 2 > most) {
         strata_.push_back(r);
       } else {
-        const int middle = r.first + (r.size()) / 2;
+        const int middle = plan_.shares.middle(r);
         next_ranges_.push_back({r.first, middle});
         next_ranges_.push_back({middle, r.last});
       }
@@ -174,15 +219,12 @@ void Fan::part(BandRange whole, double importance, PathWavelengths& wavelengths,
   }
 }
 
-/// Of each range that could not be parted further one band goes on for all, with equal chances.
-void Fan::keep_one_of_each_stratum(double choice) {
-  const auto kept = [&](const BandRange& r) {
-    const int size = r.size();
-    return r.first + std::min(static_cast<int>(choice * size), size - 1);
-  };
+/// Of each range that could not be parted further one band goes on for all.
+void Fan::keep_one_of_each_stratum() {
   for (const BandRange& r : strata_) {
-    want(kept(r));
-    add_band(kept(r), static_cast<float>(r.size()));
+    const auto [band, weight] = plan_.shares.keep_one(r, choice_);
+    want(band);
+    add_band(band, weight);
   }
 }
 
@@ -190,6 +232,7 @@ const std::vector<FanCell>& Fan::refract(const Bundle& bundle, int first, int la
                                          double importance, PathWavelengths& wavelengths,
                                          double choice, RayCounts& counts) {
   prepare(bundle, first, last, wavelengths);
+  choice_ = choice;
   const auto achromatic = [&](MediumId id) { return plan_.medium(id).index.achromatic(); };
   if (achromatic(bundle.hit.medium_before) && achromatic(bundle.hit.medium_after)) {
     add_undivided({first, last});
@@ -203,7 +246,7 @@ const std::vector<FanCell>& Fan::refract(const Bundle& bundle, int first, int la
       cut({first, last}, importance);
     else
       part({first, last}, importance, wavelengths, counts);
-    keep_one_of_each_stratum(choice);
+    keep_one_of_each_stratum();
   }
   trace_new_rays(counts);
   return cells_;

@@ -29,7 +29,7 @@ void go_on_as(const FanCell& cell, const Bundle& bundle, Bundle& next);
 ///   tolerance: bands go on sharing a ray while the rays of the outermost two of them meet the same
 ///     surface closer together than a fraction of the pixel's width there;
 ///   roulette: no more than a path's share of sub-bundles is followed; a range of bands that would
-///     need more keeps one band, chosen uniformly, with the weight of all.
+///     need more keeps one band, chosen by the bands' shares, with the weight of all.
 class Fan {
 public:
   Fan(const Plan& plan, const World& world, double pixel_angle);
@@ -44,6 +44,7 @@ public:
 
 private:
   void prepare(const Bundle& bundle, int first, int last, PathWavelengths& wavelengths);
+  [[nodiscard]] dvec3 refracted_direction(double n_before, double n_after) const;
   std::size_t add_ray(double n_before, double n_after);
   [[nodiscard]] const dvec3& direction_of(int band) const;
   [[nodiscard]] const Hit& hit_of(int band) const;
@@ -55,19 +56,23 @@ private:
   FanCell& add_shared_ray(BandRange range, double n_before, double n_after);
   [[nodiscard]] bool all_would_leave(BandRange range) const;
   [[nodiscard]] bool may_share(BandRange range) const;
+  [[nodiscard]] bool goes_on_behind(const Hit& hit) const;
+  [[nodiscard]] double parted(BandRange range) const;
+  bool part_by_directions(BandRange whole, std::size_t most, RayCounts& counts);
   [[nodiscard]] std::size_t sub_bundles_allowed(BandRange range, double importance) const;
   void cut(BandRange whole, double importance);
   void part(BandRange whole, double importance, PathWavelengths& wavelengths, RayCounts& counts);
-  void keep_one_of_each_stratum(double choice);
+  void keep_one_of_each_stratum();
 
   const Plan& plan_;
   const World& world_;
-  double pixel_angle_;
+  double tolerance_; ///< by which directions may differ
 
   const Bundle* incoming_ = nullptr;
   dvec3 facing_normal_{0.0};
   double cos_i_ = 0.0;
   double position_spread_ = 0.0, carried_direction_spread_ = 0.0; ///< of the bundle, at its hit
+  double choice_ = 0.0;
   const double* n_before_ = nullptr;
   const double* n_after_ = nullptr;
 

@@ -2,6 +2,7 @@
 
 #include "core/lights/emission.h"
 #include "core/lights/sampled_surface.h"
+#include "core/plan_bands.h"
 #include "core/plan_drops.h"
 #include "core/plan_extent.h"
 #include "core/plan_lines.h"
@@ -158,41 +159,6 @@ void plan_media(const Scene& scene, Plan& plan) {
   }
 }
 
-/// The bands in which some source emits and the observer sees something.
-void find_live_bands(Plan& plan) {
-  const auto alive = [&](int b) {
-    return std::any_of(plan.sources.begin(), plan.sources.end(), [&](const SourcePlan& s) {
-      const AccumulatorPlan& a = plan.accumulators[static_cast<std::size_t>(s.accumulator)];
-      const auto i = static_cast<std::size_t>(b);
-      const bool seen = a.x[i] != 0.0f || a.y[i] != 0.0f || a.z[i] != 0.0f;
-      return seen && s.factor[b] != 0.0f;
-    });
-  };
-  int first = 0, last = plan.grid.count();
-  while (first < last && !alive(first))
-    ++first;
-  while (last > first && !alive(last - 1))
-    --last;
-  plan.live.assign(plan.stride, 0.0f);
-  for (int b = first; b < last; ++b)
-    if (alive(b)) plan.live[static_cast<std::size_t>(b)] = 1.0f;
-  plan.live_count = static_cast<int>(std::count(plan.live.begin(), plan.live.end(), 1.0f));
-  plan.live_first = first;
-  plan.live_last = last;
-  plan.first_band = plan.settings.skip ? first : 0;
-  plan.last_band = plan.settings.skip ? last : plan.grid.count();
-  const int dead = plan.grid.count() - (last - first);
-  if (dead == 0) return;
-  if (first == last) {
-    plan.notes.push_back("nothing gives light: the picture is black");
-    return;
-  }
-  plan.notes.push_back(fmt::format("{} of {} bands carry no light (only {:.1f} to {:.1f} nm do){}",
-                                   dead, plan.grid.count(), plan.grid.lower_nm(first),
-                                   plan.grid.lower_nm(last),
-                                   plan.settings.skip ? ": left out" : ": carried, as asked"));
-}
-
 /// Which lamps light paths begin at, if any.
 void plan_caustics(const Scene& scene, Plan& plan) {
   const RenderSettings& settings = plan.settings;
@@ -322,7 +288,7 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
     if (plan.environment) plan.environment_source = sources.add(scene.environment->light);
   }
   plan_media(scene, plan);
-  find_live_bands(plan);
+  plan_bands(plan);
 
   const PixelWindow full{0, 0, settings.width, settings.height};
   plan.window = settings.crop.value_or(full);

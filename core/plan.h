@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/band_shares.h"
 #include "core/band_table.h"
 #include "core/index_table.h"
 #include "core/lights/environment_map.h"
@@ -97,6 +98,7 @@ struct Plan {
   int live_first = 0, live_last = 0; ///< the same, whether or not skipping is on
   std::vector<float> live;           ///< per band 1 where it can carry light, else 0; padded
   int live_count = 0;                ///< of these; fewer than the range has where lamps are lines
+  BandShares shares;                 ///< of a path that can follow a few of them alone
 
   std::vector<std::vector<SpectralLine>> lines; ///< by band; see lines_of_bands
   std::vector<SourcePlan> sources; ///< background, ambient light, the lamps, emitting materials

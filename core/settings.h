@@ -61,7 +61,7 @@ struct RenderSettings {
   bool exact = false;             ///< every band its own ray: neither tolerance nor roulette
   bool jitter = true;             ///< wavelengths drawn inside the bands instead of their centres
   double tolerance_pixels = 0.25; ///< bands share a ray while their spread is below this
-  int max_fan = 8;                ///< at most so many sub-bundles of one path are followed
+  int max_fan = 4;                ///< at most so many sub-bundles of one path are followed
 
   /// True where pixels may end with different numbers of samples.
   [[nodiscard]] bool adaptive() const { return noise > 0.0 || seconds > 0.0; }

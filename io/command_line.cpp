@@ -155,7 +155,7 @@ void add_settings(CLI::App& app, SettingsOverride& s) {
   app.add_option("--tolerance", s.tolerance_pixels,
                  "Bands share a ray while it strays less than this many pixels (default 0.25)")
       ->check(number_from(0.0, 65536.0));
-  app.add_option("--fan", s.max_fan, "Most sub-bundles that one path follows (default 8)")
+  app.add_option("--fan", s.max_fan, "Most sub-bundles that one path follows (default 4)")
       ->check(CLI::Range(1, 405));
   add_choice<bool>(app, "--jitter", s.jitter, on_off, "Draw wavelengths inside bands (default on)");
   app.add_option_function<std::string>(
@@ -241,10 +241,10 @@ void add_outputs(CLI::App& app, Options& options) {
                                        : word == "16" ? TiffDepth::bits16
                                                       : TiffDepth::float32;
          },
-         "Bits per TIFF channel; 32 is linear floating point (default 8)")
+         "Bits per TIFF channel; 32 is linear floating point (default 4)")
       ->check(CLI::IsMember({"8", "16", "32"}).description(""))
       ->type_name("8|16|32");
-  app.add_option("--png-depth", options.output.png_bits, "Bits per PNG channel (default 8)")
+  app.add_option("--png-depth", options.output.png_bits, "Bits per PNG channel (default 4)")
       ->check(CLI::IsMember({8, 16}).description(""))
       ->type_name("8|16");
   app.add_flag("-q,--quiet", options.quiet, "Print warnings and errors only");

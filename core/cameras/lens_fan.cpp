@@ -32,14 +32,14 @@ const std::optional<LensRay>& LensFan::band_ray(int band) {
 
 /// True when none of the bands seems to come through. The lens's edge moves with the wavelength to
 /// one side, or turns back once, as an achromat's colours do.
-bool LensFan::stopped(Range range) {
+bool LensFan::stopped(BandRange range) {
   return !band_ray(range.first) && !band_ray(range.last - 1) &&
          !band_ray((range.first + range.last) / 2);
 }
 
 /// How far the rays of the first, the middle and the last band are apart; nothing where one of them
 /// is stopped. An achromat's colours turn back, so that the outermost alone say too little.
-std::optional<LensFan::Spread> LensFan::spread(Range range) {
+std::optional<LensFan::Spread> LensFan::spread(BandRange range) {
   const std::array bands{range.first, (range.first + range.last) / 2, range.last - 1};
   const double focus = camera_.focus_distance();
   Spread most;
@@ -58,13 +58,13 @@ std::optional<LensFan::Spread> LensFan::spread(Range range) {
   return most;
 }
 
-bool LensFan::may_share(Range range) {
+bool LensFan::may_share(BandRange range) {
   const auto apart = spread(range);
   return apart && apart->direction <= direction_limit_ && apart->position <= position_limit_ &&
          apart->in_focus <= position_limit_;
 }
 
-void LensFan::add(Range range, const std::optional<LensRay>& ray, double weight) {
+void LensFan::add(BandRange range, const std::optional<LensRay>& ray, double weight) {
   if (!ray) return;
   CameraBundle& start = bundles_->emplace_back();
   start.first = range.first;
@@ -73,7 +73,7 @@ void LensFan::add(Range range, const std::optional<LensRay>& ray, double weight)
   states_->emplace_back().ray = camera_.to_world(ray->ray);
 }
 
-void LensFan::add_shared(Range range) {
+void LensFan::add_shared(BandRange range) {
   const auto ray = traced(plan_.shared_wavelength_nm(range.first, range.last, wavelength_.x));
   if (!ray) return;
   add(range, ray, 1.0);
@@ -85,34 +85,33 @@ void LensFan::add_shared(Range range) {
 
 /// Halves ranges of bands, all of one size before the next smaller, until each may share a ray or
 /// all sub-bundles are used up.
-void LensFan::part(Range whole) {
-  const std::size_t most = plan_.follows_all() ? static_cast<std::size_t>(whole.bands())
+void LensFan::part(BandRange whole) {
+  const std::size_t most = plan_.follows_all() ? static_cast<std::size_t>(whole.size())
                                                : static_cast<std::size_t>(plan_.settings.max_fan);
   std::size_t used = 0;
   ranges_.assign(1, whole);
   while (!ranges_.empty()) {
     next_ranges_.clear();
     std::size_t waiting = ranges_.size();
-    for (const Range& r : ranges_) {
+    for (const BandRange& r : ranges_) {
       --waiting;
       if (stopped(r)) continue;
-      const bool shares = r.bands() > 1 && may_share(r);
+      const bool shares = r.size() > 1 && may_share(r);
       const bool may_part = used + next_ranges_.size() + waiting + 2 <= most;
-      if (r.bands() > 1 && !shares && may_part) {
-        const int middle = r.first + r.bands() / 2;
+      if (r.size() > 1 && !shares && may_part) {
+        const int middle = plan_.shares.middle(r);
         next_ranges_.push_back({r.first, middle});
         next_ranges_.push_back({middle, r.last});
         continue;
       }
       ++used;
-      if (r.bands() == 1) {
+      if (r.size() == 1) {
         add(r, band_ray(r.first), 1.0);
       } else if (shares) {
         add_shared(r);
       } else {
-        const int skipped = static_cast<int>(wavelength_.y * r.bands());
-        const int kept = r.first + std::min(skipped, r.bands() - 1);
-        add({kept, kept + 1}, band_ray(kept), r.bands());
+        const auto [kept, weight] = plan_.shares.keep_one(r, wavelength_.y);
+        add({kept, kept + 1}, band_ray(kept), static_cast<double>(weight));
       }
     }
     std::swap(ranges_, next_ranges_);
@@ -122,9 +121,9 @@ void LensFan::part(Range whole) {
 void LensFan::sample(const glm::dvec2& position, const glm::dvec2& u_lens,
                      const glm::dvec2& wavelength, std::vector<CameraBundle>& bundles,
                      std::vector<RayState>& states) {
-  const Range whole{plan_.first_band, plan_.last_band};
+  const BandRange whole{plan_.first_band, plan_.last_band};
   const auto film_ray = camera_.film_ray(position, u_lens);
-  if (!film_ray || whole.bands() <= 0) return;
+  if (!film_ray || whole.size() <= 0) return;
   film_ray_ = *film_ray;
   wavelength_ = wavelength;
   bundles_ = &bundles;

@@ -13,7 +13,7 @@ namespace abbe {
 ///   the
 ///     lens close together;
 ///   roulette: at most `max_fan` sub-bundles start; a range of bands that would need more keeps one
-///   band, chosen uniformly, with the weight of all.
+///   band, chosen by the bands' shares, with the weight of all.
 ///
 /// Close together means: in direction, less apart than a fraction of the pixel's angle, which holds
 /// for what lies behind the plane of focus; and less apart than the same fraction of the pixel's
@@ -36,11 +36,6 @@ private:
     std::optional<LensRay> ray;
     bool traced = false;
   };
-  struct Range {
-    int first, last;
-    [[nodiscard]] int bands() const { return last - first; }
-  };
-
   struct Spread {
     double direction = 0.0;                ///< rad
     double position = 0.0, in_focus = 0.0; ///< mm, where they leave the lens and farther on
@@ -48,12 +43,12 @@ private:
 
   [[nodiscard]] const std::optional<LensRay>& band_ray(int band);
   [[nodiscard]] std::optional<LensRay> traced(double lambda_nm);
-  [[nodiscard]] bool stopped(Range range);
-  [[nodiscard]] std::optional<Spread> spread(Range range);
-  [[nodiscard]] bool may_share(Range range);
-  void part(Range whole);
-  void add(Range range, const std::optional<LensRay>& ray, double weight);
-  void add_shared(Range range);
+  [[nodiscard]] bool stopped(BandRange range);
+  [[nodiscard]] std::optional<Spread> spread(BandRange range);
+  [[nodiscard]] bool may_share(BandRange range);
+  void part(BandRange whole);
+  void add(BandRange range, const std::optional<LensRay>& ray, double weight);
+  void add_shared(BandRange range);
 
   const Plan& plan_;
   const LensCamera& camera_;
@@ -64,7 +59,7 @@ private:
   glm::dvec2 wavelength_{0.5};
   std::vector<double> n_; ///< the media's indices at one wavelength
   std::vector<BandRay> band_rays_;
-  std::vector<Range> ranges_, next_ranges_;
+  std::vector<BandRange> ranges_, next_ranges_;
   std::vector<CameraBundle>* bundles_ = nullptr; ///< where the sample's go
   std::vector<RayState>* states_ = nullptr;
 };

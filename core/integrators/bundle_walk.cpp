@@ -85,6 +85,10 @@ double BundleWalk::importance(MediumId medium) {
   return most * n * n;
 }
 
+double BundleWalk::share(MediumId medium) {
+  return importance(medium) * plan_.shares.of({bundle_.first, bundle_.last});
+}
+
 /// Russian roulette on the importance.
 bool BundleWalk::survives(MediumId medium) {
   if (bundle_.depth < kSureSurfaces) return true;
@@ -95,28 +99,49 @@ bool BundleWalk::survives(MediumId medium) {
   return true;
 }
 
-/// Sets off along a direction and traces. `through`: to the other side of the surface.
+/// Makes `next`, which may be `from` itself, go on from its hit along a direction, traced.
+/// `through`: to the other side of the surface. Its bands and density are the caller's.
+void BundleWalk::trace(const Bundle& from, const dvec3& direction, bool through, RayKind kind,
+                       Bundle& next) {
+  const Hit& hit = from.hit;
+  next.position_spread = from.position_spread + from.direction_spread * hit.t;
+  next.direction_spread = from.direction_spread;
+  next.path_length = from.path_length + hit.t;
+  next.passed = 0.0;
+  next.depth = from.depth + 1;
+  next.spreads = from.spreads;
+  next.first_spread = from.first_spread;
+  next.spread = from.spread;
+  next.state.ray = {hit.point, direction};
+  next.state.contacts = through ? hit.other_side : hit.same_side;
+  next.state.nesting = through ? hit.nesting_after : hit.nesting_before;
+  world_.find_closest(next.state, next.hit);
+  counts_->add(kind, next.state);
+}
+
 bool BundleWalk::leave(const dvec3& direction, bool through, RayKind kind) {
-  const Hit& hit = bundle_.hit;
-  if (!survives(through ? hit.medium_after : hit.medium_before)) return false;
-  bundle_.state.ray = {hit.point, direction};
-  bundle_.state.contacts = through ? hit.other_side : hit.same_side;
-  bundle_.state.nesting = through ? hit.nesting_after : hit.nesting_before;
-  bundle_.position_spread += bundle_.direction_spread * hit.t;
-  bundle_.path_length += hit.t;
-  bundle_.passed = 0.0;
-  ++bundle_.depth;
-  world_.find_closest(bundle_.state, bundle_.hit);
-  counts_->add(kind, bundle_.state);
+  if (!survives(through ? bundle_.hit.medium_after : bundle_.hit.medium_before)) return false;
+  trace(bundle_, direction, through, kind, bundle_);
   return true;
 }
 
-bool BundleWalk::reflect(double chance) {
+dvec3 BundleWalk::reflected_direction() const {
   const Hit& hit = bundle_.hit;
+  return reflected(bundle_.state.ray.direction, hit.entering ? hit.normal : -hit.normal);
+}
+
+bool BundleWalk::reflect(double chance) {
   scale(scattering_.reflected(), 1.0 / chance);
   bundle_.density = 0.0;
-  return leave(reflected(bundle_.state.ray.direction, hit.entering ? hit.normal : -hit.normal),
-               false, RayKind::reflected);
+  return leave(reflected_direction(), false, RayKind::reflected);
+}
+
+void BundleWalk::branch_off_reflection(double chance) {
+  Bundle& next = push(bundle_.first, bundle_.last, scattering_.reflected(), 1.0 / chance);
+  next.first = bundle_.first;
+  next.last = bundle_.last;
+  next.density = 0.0;
+  trace(bundle_, reflected_direction(), false, RayKind::reflected, next);
 }
 
 bool BundleWalk::spread(const dvec3& direction, const float* f_cos, double density) {

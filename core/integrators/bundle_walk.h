@@ -38,6 +38,8 @@ protected:
   // Steps from the bundle's hit; scattering_ has been prepared for it. False where the path ends.
   bool reflect(double chance);
   bool refract(double chance);
+  /// The reflected ray is traced and waits; the bundle itself stays where it is.
+  void branch_off_reflection(double chance);
   /// Along a direction to which the surface spreads light, with the factors and the density that
   /// Scattering gave for it.
   bool spread(const dvec3& direction, const float* f_cos, double density);
@@ -53,8 +55,14 @@ protected:
   Bundle bundle_;                 ///< on its way
   std::vector<float> throughput_; ///< of it
 
+  /// What the bundle would bring of the picture's light in a medium, up to 1 for all bands: see
+  /// BandShares.
+  [[nodiscard]] double share(MediumId medium);
+
 private:
+  [[nodiscard]] dvec3 reflected_direction() const;
   bool leave(const dvec3& direction, bool through, RayKind kind);
+  void trace(const Bundle& from, const dvec3& direction, bool through, RayKind kind, Bundle& next);
   [[nodiscard]] double importance(MediumId medium);
   bool survives(MediumId medium);
 

@@ -3,6 +3,12 @@
 #include <algorithm>
 
 namespace abbe {
+namespace {
+
+/// A branch is followed for sure when it brings this part of what the picture's bands could.
+constexpr double kBranchShare = 1.0 / 32.0;
+
+} // namespace
 
 Path::Path(const Plan& plan, const World& world, const Lamps& lamps,
            const LightPasses* light_passes, double pixel_angle)
@@ -81,15 +87,14 @@ bool Path::go_on() {
     if (!lamps_.empty()) aim_at_a_lamp(hit);
     if (photons_ && !splatted()) look_up_photons(hit);
   }
-  const Scattering::Choice choice =
-      scattering_.choose(scattering_.certain() ? 0.0 : numbers(kScatter).x);
-  switch (choice.kind) {
+  const Scattering::Choice on = branch();
+  switch (on.kind) {
   case ScatterKind::none:
     return false;
   case ScatterKind::reflect:
-    return reflect(choice.chance);
+    return reflect(on.chance);
   case ScatterKind::refract:
-    return refract(choice.chance);
+    return refract(on.chance);
   case ScatterKind::spread:
     break;
   }
@@ -97,7 +102,23 @@ bool Path::go_on() {
                                             scattering_.has_lobes() ? numbers(kLobe) : dvec2(0.0));
   if (!direction) return false;
   const double density = scattering_.evaluate(*direction, light_.data());
-  return density > 0.0 && spread(*direction, light_.data(), density);
+  if (!(density > 0.0)) return false;
+  scale(ones_.data(), scattering_.spread_chance() / on.chance);
+  return spread(*direction, light_.data(), density);
+}
+
+/// How the path goes on. Where the camera sees a surface itself, or by way of mirrors and glass,
+/// what is reflected may branch off: one of the parts at random would leave grain.
+Scattering::Choice Path::branch() {
+  if (scattering_.certain()) return scattering_.choose(0.0);
+  const double u = numbers(kScatter).x;
+  if (bundle_.spread) return scattering_.choose(u);
+  const double eagerness = share(bundle_.hit.medium_before) / kBranchShare;
+  const auto [reflect_chance, on] = scattering_.branch(u, eagerness);
+  if (reflect_chance == 0.0) return on;
+  if (on.kind == ScatterKind::none) return {ScatterKind::reflect, reflect_chance};
+  branch_off_reflection(reflect_chance);
+  return on;
 }
 
 void Path::aim_at_a_lamp(const Hit& hit) {

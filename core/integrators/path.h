@@ -34,6 +34,7 @@ private:
   void gather();
   /// Makes the bundle go on from its hit. False where it ends.
   bool go_on();
+  [[nodiscard]] Scattering::Choice branch();
   void aim_at_a_lamp(const Hit& hit);
   void look_up_photons(const Hit& hit);
   [[nodiscard]] bool found_otherwise(const Hit& emitting) const;

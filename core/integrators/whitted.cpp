@@ -18,7 +18,7 @@ namespace {
 /// A branch is followed for sure when it matters at least as much as this part of one of the
 /// `max_fan` sub-bundles. Chosen by time against error on scenes/lens and scenes/prism_a, see
 /// docs/decisions/bundles.md.
-constexpr double kSurePart = 1.0 / 8.0;
+constexpr double kSurePart = 1.0 / 16.0;
 
 } // namespace
 
@@ -147,12 +147,9 @@ double Whitted::importance(const float* throughput, const float* factors, int fi
 
 /// The chance that a branch is followed: narrow and faint ones would cost as much as they add
 /// little. A branch matters in proportion to its importance and to its share of the bands.
-double Whitted::chance(double importance, int bands) const {
+double Whitted::chance(double importance, BandRange bands) const {
   if (plan_.follows_all()) return 1.0;
-  // A bundle that carries dead bands too, where nothing is skipped, has no larger share for them.
-  const int live = std::max(plan_.live_count, 1);
-  const double share = std::min(1.0, static_cast<double>(bands) / live);
-  const double sub_bundles = importance * share * plan_.settings.max_fan;
+  const double sub_bundles = importance * plan_.shares.of(bands) * plan_.settings.max_fan;
   return std::min(1.0, sub_bundles / kSurePart);
 }
 
@@ -192,7 +189,7 @@ void Whitted::reflect(const Bundle& bundle, const float* factors, RayCounts& cou
   const double brought =
       importance(throughput_.data(), factors, bundle.first, bundle.last, hit.medium_before);
   if (!(brought > plan_.settings.min_throughput)) return;
-  const double survives = chance(brought, bundle.bands());
+  const double survives = chance(brought, {bundle.first, bundle.last});
   if (survives < 1.0 && decisions_.next() >= survives) return;
   for (int b = bundle.first; b < bundle.last; ++b)
     lit_[static_cast<std::size_t>(b)] = throughput_[static_cast<std::size_t>(b)] * factors[b];

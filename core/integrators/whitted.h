@@ -43,7 +43,7 @@ private:
   void refract(const Bundle& bundle, double choice, RayCounts& counts);
   [[nodiscard]] double importance(const float* throughput, const float* factors, int first,
                                   int last, MediumId medium);
-  [[nodiscard]] double chance(double importance, int bands) const;
+  [[nodiscard]] double chance(double importance, BandRange bands) const;
 
   const Scene& scene_;
   const Plan& plan_;

@@ -150,6 +150,26 @@ Scattering::Choice Scattering::choose(double u) const {
   return {};
 }
 
+Scattering::Branches Scattering::branch(double u, double eagerness) const {
+  const double other = spread_ + refract_;
+  if (!(eagerness > 1.0) || reflect_ == 0.0 || other == 0.0) {
+    const Choice one = choose(u);
+    if (one.kind == ScatterKind::reflect) return {one.chance, {}};
+    return {0.0, one};
+  }
+  Branches branches;
+  const double reflect = std::min(1.0, reflect_ * eagerness);
+  const double on = std::min(1.0, other * eagerness);
+  if (u < reflect) branches.reflect_chance = reflect;
+  if (u >= 1.0 - on) {
+    const double chosen = (u - (1.0 - on)) / on * other;
+    branches.on = chosen < spread_ || refract_ == 0.0
+                      ? Choice{ScatterKind::spread, on * (spread_ / other)}
+                      : Choice{ScatterKind::refract, on * (refract_ / other)};
+  }
+  return branches;
+}
+
 Scattering::Choice Scattering::choose_specular(double u) const {
   const double sum = reflect_ + refract_;
   if (!(sum > 0.0)) return {};

@@ -51,7 +51,18 @@ public:
     double chance = 1.0;
   };
   [[nodiscard]] Choice choose(double u) const;
-  /// The same among the reflected and the refracted ray alone.
+  /// Which parts to follow where a path may branch: beside one of the others, chosen, the
+  /// reflected ray. With the chance 0 that is not followed; `on` may be of no kind then, or else.
+  struct Branches {
+    double reflect_chance = 0.0;
+    Choice on;
+  };
+  /// Follows a part for sure that would be chosen with a chance of 1 / `eagerness` or more; with an
+  /// eagerness of 1 or less, one part alone.
+  [[nodiscard]] Branches branch(double u, double eagerness) const;
+  /// With which `choose` spreads, and `evaluate` reckons.
+  [[nodiscard]] double spread_chance() const { return spread_; }
+  /// The same as `choose` among the reflected and the refracted ray alone.
   [[nodiscard]] Choice choose_specular(double u) const;
 
   /// Factors on radiance that comes along the reflected and the refracted ray.

@@ -54,13 +54,10 @@ TEST_CASE("a path follows no more cells than its share, and each stands for its 
       const auto& cells = s.refract(choice);
       CHECK(cells.size() <= static_cast<std::size_t>(most));
       CHECK(2 * cells.size() > static_cast<std::size_t>(most)); // and makes use of it
-      float sum = 0.0f;
       for (const FanCell& cell : cells) {
         CHECK(cell.bands() == 1);
         CHECK_FALSE(cell.shared);
-        sum += cell.weight;
       }
-      CHECK(sum == 81.0f);
     }
   }
 }
@@ -76,16 +73,15 @@ TEST_CASE("a part of the bands has its part of the share") {
   CHECK(cells(40, 41) == 1);
 }
 
-// E[weight of band b] = 1: kept with probability 1 / (size of its stratum), weighted by the size.
+// E[weight of band b] = 1: kept with some probability, weighted by its inverse.
 TEST_CASE("over all choices every band has the mean weight 1") {
   for (const int most : {1, 4, 7, 32}) {
     FanScene s(kBall + "maxFan " + std::to_string(most), kAside);
-    constexpr int kChoices = 81 * 40;
+    constexpr int kChoices = 81 * 400;
     std::vector<double> mean(81);
     for (int i = 0; i < kChoices; ++i)
       for (const FanCell& cell : s.refract((i + 0.5) / kChoices))
-        mean[static_cast<std::size_t>(cell.first)] +=
-            static_cast<double>(cell.weight) / kChoices;
+        mean[static_cast<std::size_t>(cell.first)] += static_cast<double>(cell.weight) / kChoices;
     for (const double m : mean)
       CHECK(m == Approx(1.0).margin(0.01));
   }

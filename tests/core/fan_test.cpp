@@ -140,7 +140,7 @@ TEST_CASE("bands part no further than tolerance demands") {
     while (first != cell.first || last != cell.last) {
       REQUIRE(last - first > cell.bands());
       CHECK(spread(first, last) > 4.0);
-      const int middle = first + (last - first) / 2;
+      const int middle = s.plan.shares.middle({first, last});
       (cell.first < middle ? last : first) = middle;
     }
   }

@@ -127,7 +127,7 @@ TEST_CASE("lens fan: the achromat needs fewer rays than the singlet") {
 
 TEST_CASE("lens fan: roulette follows few bands, and each as often as its weight says") {
   Setup s("singlet_bk7_50", with(0.0, 8));
-  constexpr int kChoices = 1024;
+  constexpr int kChoices = 1 << 14;
   std::vector<double> mean(81, 0.0);
   for (int i = 0; i < kChoices; ++i) {
     s.sample({30.0, 60.0}, kRim, {0.5, (i + 0.5) / kChoices});

@@ -193,8 +193,8 @@ TEST_CASE("light paths go through drops to glass, and from glass to the camera")
            "push scale 4 4 1 square pop " +
            drops + "glass N-BK7 push translate 0 0 1 scale 0.6 0.6 0.6 sphere pop ";
   };
-  const double open = seen(room(""), 256);
-  CHECK(open > 1.5 * seen(room("") + "caustics off shadows opaque", 256));
-  CHECK(seen(room("drops 1e-9 push translate 0 0 2 scale 2.5 2.5 1.9 cube pop "), 256) ==
+  const double open = seen(room(""), 8192);
+  CHECK(open > 1.5 * seen(room("") + "caustics off shadows opaque", 1024));
+  CHECK(seen(room("drops 1e-9 push translate 0 0 2 scale 2.5 2.5 1.9 cube pop "), 8192) ==
         Approx(open).epsilon(2e-2));
 }

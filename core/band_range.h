@@ -1,0 +1,13 @@
+#pragma once
+
+namespace abbe {
+
+/// Bands [first, last).
+struct BandRange {
+  int first = 0, last = 0;
+
+  [[nodiscard]] int size() const { return last - first; }
+  [[nodiscard]] bool empty() const { return first == last; }
+};
+
+} // namespace abbe
