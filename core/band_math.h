@@ -1,14 +1,15 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
+#include <cstdint>
 #include <cstring>
 
 namespace abbe {
 
 // Sums and maxima over bands [first, last) in eight lanes side by side, which the compiler puts
 // into one register; one after the other each step would wait for the one before. A band's lane
-// depends on the band alone, so bands without power change nothing by being there.
+// depends on the band alone, so bands without power change nothing by being there. Arrays are
+// padded as BandTable's are, and one band alone needs no lanes.
 
 namespace band_math {
 
@@ -22,23 +23,28 @@ using Wide = float __attribute__((vector_size(sizeof(Lanes))));
   return wide;
 }
 
-/// Calls step(lane, value of a, value of c) for all bands, with single values or eight at once.
+/// Calls step(lane, value of a, value of c) for all bands, eight at once. Arrays are padded, so
+/// whole groups of eight may be read; lanes outside the range stay as they are.
 template <class Step>
 Lanes over_lanes(const float* a, const float* c, int first, int last, Step&& step) {
-  Lanes lanes{};
-  int b = first;
-  for (; b < last && b % kLanes != 0; ++b) {
-    float& lane = lanes[static_cast<std::size_t>(b % kLanes)];
-    lane = step(lane, a[b], c[b]);
+  using Indices = std::int32_t __attribute__((vector_size(sizeof(Lanes))));
+  constexpr Indices kLane{0, 1, 2, 3, 4, 5, 6, 7};
+  Wide wide{};
+  int group = first & -kLanes;
+  const auto partly = [&] {
+    const Indices band = kLane + group;
+    const Wide next = step(wide, loaded(a + group), loaded(c + group));
+    wide = (band >= first) & (band < last) ? next : wide;
+  };
+  if (group != first) {
+    partly();
+    group += kLanes;
   }
-  Wide wide = loaded(lanes.data());
-  for (; b + kLanes <= last; b += kLanes)
-    wide = step(wide, loaded(a + b), loaded(c + b));
+  for (; group + kLanes <= last; group += kLanes)
+    wide = step(wide, loaded(a + group), loaded(c + group));
+  if (group < last) partly();
+  Lanes lanes;
   std::memcpy(lanes.data(), &wide, sizeof wide);
-  for (; b < last; ++b) {
-    float& lane = lanes[static_cast<std::size_t>(b % kLanes)];
-    lane = step(lane, a[b], c[b]);
-  }
   return lanes;
 }
 
@@ -53,6 +59,7 @@ inline float largest(const Lanes& lanes) {
 
 /// The sum of a[b] * c[b].
 [[nodiscard]] inline float weighted_sum(const float* a, const float* c, int first, int last) {
+  if (last - first == 1) return a[first] * c[first];
   const auto step = [](auto lane, auto x, auto y) { return lane + x * y; };
   float sum = 0.0f;
   for (const float lane : band_math::over_lanes(a, c, first, last, step))
@@ -62,12 +69,14 @@ inline float largest(const Lanes& lanes) {
 
 /// The largest of 0 and values[b].
 [[nodiscard]] inline float largest_of(const float* values, int first, int last) {
+  if (last - first == 1) return values[first] > 0.0f ? values[first] : 0.0f;
   const auto step = [](auto lane, auto x, auto) { return x > lane ? x : lane; };
   return band_math::largest(band_math::over_lanes(values, values, first, last, step));
 }
 
 /// The largest of 0 and a[b] * c[b].
 [[nodiscard]] inline float largest_product(const float* a, const float* c, int first, int last) {
+  if (last - first == 1) return a[first] * c[first] > 0.0f ? a[first] * c[first] : 0.0f;
   const auto step = [](auto lane, auto x, auto y) { return x * y > lane ? x * y : lane; };
   return band_math::largest(band_math::over_lanes(a, c, first, last, step));
 }

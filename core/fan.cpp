@@ -233,6 +233,12 @@ const std::vector<FanCell>& Fan::refract(const Bundle& bundle, int first, int la
                                          double choice, RayCounts& counts) {
   prepare(bundle, first, last, wavelengths);
   choice_ = choice;
+  if (last - first == 1) {
+    want(first);
+    add_band(first, 1.0f);
+    trace_new_rays(counts);
+    return cells_;
+  }
   const auto achromatic = [&](MediumId id) { return plan_.medium(id).index.achromatic(); };
   if (achromatic(bundle.hit.medium_before) && achromatic(bundle.hit.medium_after)) {
     add_undivided({first, last});

@@ -71,7 +71,7 @@ double gaussian_offset(double u) {
   }();
   const double x = u * kSteps;
   const auto i = static_cast<std::size_t>(std::min(x, kSteps - 1.0));
-  return std::lerp(table[i], table[i + 1], x - static_cast<double>(i));
+  return table[i] + (table[i + 1] - table[i]) * (x - static_cast<double>(i));
 }
 
 double tent_offset(double u) {

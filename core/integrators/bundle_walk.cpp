@@ -144,9 +144,9 @@ void BundleWalk::branch_off_reflection(double chance) {
   trace(bundle_, reflected_direction(), false, RayKind::reflected, next);
 }
 
-bool BundleWalk::spread(const dvec3& direction, const float* f_cos, double density) {
+bool BundleWalk::spread(const dvec3& direction, const float* f_cos, double density, double weight) {
   const Hit& hit = bundle_.hit;
-  scale(f_cos, 1.0 / density);
+  scale(f_cos, weight / density);
   bundle_.density = density;
   bundle_.spread = true;
   if (bundle_.spreads++ == 0) bundle_.first_spread = bundle_.depth;

@@ -41,8 +41,8 @@ protected:
   /// The reflected ray is traced and waits; the bundle itself stays where it is.
   void branch_off_reflection(double chance);
   /// Along a direction to which the surface spreads light, with the factors and the density that
-  /// Scattering gave for it.
-  bool spread(const dvec3& direction, const float* f_cos, double density);
+  /// Scattering gave for it; `weight` makes up for another chance of getting here.
+  bool spread(const dvec3& direction, const float* f_cos, double density, double weight);
 
   const Plan& plan_;
   const World& world_;

@@ -103,8 +103,7 @@ bool Path::go_on() {
   if (!direction) return false;
   const double density = scattering_.evaluate(*direction, light_.data());
   if (!(density > 0.0)) return false;
-  scale(ones_.data(), scattering_.spread_chance() / on.chance);
-  return spread(*direction, light_.data(), density);
+  return spread(*direction, light_.data(), density, scattering_.spread_chance() / on.chance);
 }
 
 /// How the path goes on. Where the camera sees a surface itself, or by way of mirrors and glass,

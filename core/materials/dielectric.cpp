@@ -20,15 +20,19 @@ struct Parts {
   float reflected, transmitted;
 };
 
-Parts parts(bool by_fresnel, double cos_i, double eta, Transport transport) {
-  const double cos2_t = 1.0 - (1.0 - cos_i * cos_i) / (eta * eta);
+// In line, so that the loop over bands can be done for several at once.
+[[gnu::always_inline]] inline Parts parts(bool by_fresnel, double cos_i, double n_before,
+                                          double n_after, Transport transport) {
+  const double eta = n_after / n_before, inverse = n_before / n_after;
+  const double cos2_t = 1.0 - (1.0 - cos_i * cos_i) * (inverse * inverse);
   const bool passes = cos2_t > 0.0;
   const double cos_t = std::sqrt(std::max(cos2_t, 0.0));
   const double fresnel = passes ? fresnel_reflectance(cos_i, cos_t, eta) : 1.0;
   const double reflect = by_fresnel ? fresnel : 1.0;
   const double transmit = by_fresnel ? 1.0 - fresnel : (passes ? 1.0 : 0.0);
   return {static_cast<float>(reflect),
-          static_cast<float>(transport == Transport::radiance ? transmit / (eta * eta) : transmit)};
+          static_cast<float>(transport == Transport::radiance ? transmit * (inverse * inverse)
+                                                              : transmit)};
 }
 
 float passed_straight(bool by_fresnel, double cos_i, double eta) {
@@ -46,7 +50,7 @@ void scatter_dielectric(const MaterialPlan& material, double cos_i, const double
   float* reflected = scatter.reflected.data();
   float* transmitted = scatter.transmitted.data();
   if (alike(n_before, first, last) && alike(n_after, first, last)) {
-    const Parts p = parts(material.fresnel, cos_i, n_after[first] / n_before[first], transport);
+    const Parts p = parts(material.fresnel, cos_i, n_before[first], n_after[first], transport);
     for (int b = first; b < last; ++b) {
       reflected[b] = p.reflected * reflectivity[b];
       transmitted[b] = p.transmitted * transparency[b];
@@ -54,7 +58,7 @@ void scatter_dielectric(const MaterialPlan& material, double cos_i, const double
     return;
   }
   for (int b = first; b < last; ++b) {
-    const Parts p = parts(material.fresnel, cos_i, n_after[b] / n_before[b], transport);
+    const Parts p = parts(material.fresnel, cos_i, n_before[b], n_after[b], transport);
     reflected[b] = p.reflected * reflectivity[b];
     transmitted[b] = p.transmitted * transparency[b];
   }
