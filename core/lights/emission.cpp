@@ -3,7 +3,6 @@
 #include "core/lights/cone.h"
 #include "core/lights/illumination.h"
 #include "core/plan_extent.h"
-#include "geometry/surface_sample.h"
 
 #include <algorithm>
 #include <cmath>
@@ -128,7 +127,7 @@ Emission::Emission(const Scene& scene, const Plan& plan)
   }
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     const PlacedShape& placed = scene.shapes[i];
-    if (!placed.material.valid() || !has_sampled_points(placed.shape)) continue;
+    if (!placed.material.valid() || !can_sample_surface(placed.shape)) continue;
     const MaterialPlan& material = plan.materials[placed.material.index()];
     if (material.emission_source < 0) continue;
     const double value = mean_of(scene.materials[placed.material.index()].emission, plan.grid);
@@ -139,9 +138,11 @@ Emission::Emission(const Scene& scene, const Plan& plan)
     emitter.one_sided_ = is_solid(placed.shape) || !material.emits_behind;
     emitter.source_ = material.emission_source;
     emitter.targets_ = targets;
+    emitter.surface_ = sampled_surface(placed, material.emits_behind);
+    const double area = std::visit([](const auto& s) { return s.area(); }, *emitter.surface_);
     const Bounds box = bounds(placed);
-    emitter.flux_ = value * surface_area(placed) *
-                    std::min(kPi, solid_angles(targets, 0.5 * (box.lower + box.upper)));
+    emitter.flux_ =
+        value * area * std::min(kPi, solid_angles(targets, 0.5 * (box.lower + box.upper)));
     shape_emits_[i] = true;
     emitters_.push_back(std::move(emitter));
   }
@@ -158,9 +159,7 @@ void Emission::place(const World& world) {
       continue;
     }
     // Just the solids around the shape: its own inside does not count.
-    const PlacedShape& placed = world.shapes()[emitter.shape_.index()];
-    const auto middle = sample_surface(placed, {0.5, 0.5});
-    for (const ShapeId id : world.nesting_at(middle->point))
+    for (const ShapeId id : world.nesting_at(emitter.surface_point({0.5, 0.5}).point))
       if (id != emitter.shape_) emitter.nesting_.push_back(id);
   }
 }
@@ -181,7 +180,7 @@ std::vector<std::uint32_t> Emission::shares(std::uint32_t paths) const {
 }
 
 std::optional<EmittedRay> Emitter::sample(const Sampler& sampler) const {
-  if (light_ < 0) return from_shape(scene_->shapes[shape_.index()], sampler);
+  if (light_ < 0) return from_shape(sampler);
   const Light& light = scene_->lights[static_cast<std::size_t>(light_)];
   if (const auto* point = std::get_if<PointLight>(&light.emitter))
     return from_point(point->position, sampler);
@@ -255,18 +254,21 @@ std::optional<EmittedRay> Emitter::from_afar(const dvec3& direction, const Sampl
   return ray;
 }
 
-std::optional<EmittedRay> Emitter::from_shape(const PlacedShape& placed,
-                                              const Sampler& sampler) const {
-  const auto point = sample_surface(placed, sampler.pair(kEmissionPoint));
-  const DirectionSample way = towards(targets_, point->point, sampler.pair(kEmissionDirection));
-  const double cosine = glm::dot(way.direction, point->normal);
+SurfacePoint Emitter::surface_point(const dvec2& u) const {
+  return std::visit([&](const auto& s) { return s.at(u); }, *surface_);
+}
+
+std::optional<EmittedRay> Emitter::from_shape(const Sampler& sampler) const {
+  const SurfacePoint at = surface_point(sampler.pair(kEmissionPoint));
+  const DirectionSample way = towards(targets_, at.point, sampler.pair(kEmissionDirection));
+  const double cosine = glm::dot(way.direction, at.normal);
   if (one_sided_ ? !(cosine > 0.0) : cosine == 0.0) return std::nullopt;
   EmittedRay ray;
-  ray.state.ray = {point->point, way.direction};
-  ray.state.contacts.push_back({shape_, point->face, cosine > 0.0 ? Side::outside : Side::inside});
+  ray.state.ray = {at.point, way.direction};
+  ray.state.contacts.push_back({shape_, at.face, cosine > 0.0 ? Side::outside : Side::inside});
   ray.state.nesting = nesting_;
   ray.source = source_;
-  ray.flux = std::abs(cosine) / (point->density * way.density);
+  ray.flux = std::abs(cosine) / (at.density * way.density);
   return ray;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/frame.h"
+#include "core/lights/sampled_surface.h"
 #include "core/plan.h"
 #include "core/sampler.h"
 #include "geometry/world.h"
@@ -42,13 +43,14 @@ private:
                                                    const Sampler& sampler) const;
   [[nodiscard]] std::optional<EmittedRay> from_afar(const dvec3& direction,
                                                     const Sampler& sampler) const;
-  [[nodiscard]] std::optional<EmittedRay> from_shape(const PlacedShape& placed,
-                                                     const Sampler& sampler) const;
+  [[nodiscard]] std::optional<EmittedRay> from_shape(const Sampler& sampler) const;
+  [[nodiscard]] SurfacePoint surface_point(const dvec2& u) const;
 
   const Scene* scene_ = nullptr;
   double scene_size_ = 0.0; ///< of a light: how far before the targets parallel light begins
   int light_ = -1;          ///< index into Scene::lights; negative: a shape
   ShapeId shape_;
+  std::optional<SampledSurface> surface_; ///< of the shape
   bool one_sided_ = true;
   int source_ = 0;
   double flux_ = 0.0; ///< mean over the bands

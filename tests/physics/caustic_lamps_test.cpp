@@ -1,7 +1,9 @@
+#include "core/lights/emission.h"
 #include "spectral/glass.h"
 #include "tests/catch.h"
 #include "tests/seeds.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -58,6 +60,64 @@ TEST_CASE("caustics of each kind of lamp are those of camera paths alone") {
     const auto both = test::over_seeds(scene, 48);
     CHECK(std::abs(total_z(camera, both)) < 4.0);
     CHECK(both.total == Approx(camera.total).epsilon(0.015));
+  }
+}
+
+TEST_CASE("meshes and polyhedra that shine throw the caustics of the squares and boxes they are") {
+  // The box's twelve triangles, counter-clockwise from outside, corner i at the signs of its bits.
+  std::vector<dvec3> corners;
+  for (int i = 0; i < 8; ++i)
+    corners.push_back({i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0});
+  const Mesh box_mesh(corners, {{0, 2, 3},
+                                {0, 3, 1},
+                                {4, 5, 7},
+                                {4, 7, 6},
+                                {0, 1, 5},
+                                {0, 5, 4},
+                                {2, 6, 7},
+                                {2, 7, 3},
+                                {0, 4, 6},
+                                {0, 6, 2},
+                                {1, 3, 7},
+                                {1, 7, 5}});
+  std::vector<HalfSpace> sides;
+  for (int i = 0; i < 6; ++i) {
+    dvec3 normal(0.0);
+    normal[i / 2] = i % 2 == 0 ? -1.0 : 1.0;
+    sides.push_back({normal, 1.0});
+  }
+  const Mesh square_mesh({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  const std::string box =
+      kGlow + "push translate 0.3 2.4 0 rotate 30 1 1 0 scale -0.6 0.5 0.6 cube pop";
+  const std::string square = "push translate 0.2 2.4 0 rotate 95 1 0 0 scale 0.9 0.8 1 square pop";
+  struct Twin {
+    const char* name;
+    std::string lamp;
+    Shape shape;
+  };
+  const std::vector<Twin> twins = {
+      {"box and mesh", box, box_mesh},
+      {"box and polyhedron", box, ConvexPolyhedron(sides)},
+      {"square and mesh, in front", kGlow + "emissiveSides front " + square, square_mesh}};
+  for (const Twin& twin : twins) {
+    INFO(twin.name);
+    Scene scene = test::scene_from(floor_with(twin.lamp));
+    scene.settings.samples_per_pixel = 128;
+    scene.settings.light_paths = 8.0;
+    const auto find_lamp = [&](PlacedShape& placed) {
+      return std::holds_alternative<Box>(placed.shape) ||
+             (std::holds_alternative<Square>(placed.shape) &&
+              placed.material == scene.shapes.front().material);
+    };
+    const auto lamp = std::find_if(scene.shapes.begin(), scene.shapes.end(), find_lamp);
+    REQUIRE(lamp != scene.shapes.end());
+    const auto analytic = test::over_seeds(scene, 16);
+    lamp->shape = twin.shape;
+    CHECK(Emission(scene, make_plan(scene, scene.settings)).emitters().size() == 1);
+    const auto meshed = test::over_seeds(scene, 16);
+    CHECK(std::abs(total_z(analytic, meshed)) < 4.0);
+    CHECK(meshed.total == Approx(analytic.total).epsilon(0.01));
+    CHECK(mean_square_z(analytic, meshed) < 1.5);
   }
 }
 
