@@ -162,3 +162,35 @@ TEST_CASE("a card under a plate of glass is as bright as Fresnel says, under eac
   CHECK(seen("falloff square light E 0 0 997 1") * 1e6 * std::numbers::pi ==
         Approx(1.0).epsilon(0.01));
 }
+
+// A card over a mirror without end, far from the origin, seen from below: light of irradiance pi
+// times the value, that falls at an angle, reaches its lower side from a mirror that keeps half
+// as half of the cosine. The card's shadow falls beside where that light comes from.
+TEST_CASE("a mirror without end lights a card above it, wherever the scene stands") {
+  for (const dvec3 place : {dvec3(0.0), dvec3(300.0, -70.0, 50.0), dvec3(0.0, 0.0, 2000.0)})
+    for (const double height : {4.0, 40.0}) {
+      for (const std::string lamp : {"light E 1 1 0 0", "sunRadius 0.05 sun 1 1 0 E"}) {
+        const auto at = [&](const dvec3& p) {
+          const dvec3 q = place + p;
+          std::string text;
+          for (const double x : {q.x, q.y, q.z})
+            text.append(std::to_string(x)).append(" ");
+          return text;
+        };
+        const Scene scene = test::scene_from(
+            "integrator path imageSize 2 2 samples 64 lightPaths 256 fieldOfView 100 filter box\n"
+            "up 0 0 1 eye " +
+            at({0, -0.3, 0}) + "lookAt " + at({0, 1, 0}) + lamp +
+            "\ndefaultMaterials diffuse 0.8 0.8 0.8\n"
+            "push translate " +
+            at({0, 0, 0}) +
+            "rotate 90 1 0 0 square pop\n"
+            "diffuse 0 0 0 reflectivity 0.5 fresnel off\n"
+            "push translate " +
+            at({0, -height, 0}) + "rotate -90 1 0 0 plane pop");
+        CAPTURE(place.x, place.z, height, lamp);
+        const auto seen = test::over_seeds(scene, 4);
+        CHECK(seen.total == Approx(0.5 * 0.8 * std::sqrt(0.5)).epsilon(0.02));
+      }
+    }
+}
