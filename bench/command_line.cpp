@@ -46,14 +46,14 @@ Options parse_command_line(int argc, const char* const* argv) {
 
   CLI::App* rays =
       app.add_subcommand("rays", "Rays per second by kind, and the same rays through raw Embree");
-  add_scenes(*rays, options, "sphere lens prism_a cube");
+  add_scenes(*rays, options, "sphere lens prism_view cube");
   rays->add_option("--bands", render.bands, "Wavelength bands (default: 1, then 81)")
       ->check(CLI::Range(1, 405));
   rays->add_option("--spp", render.samples_per_pixel, "Samples per pixel (default 4)")
       ->check(CLI::Range(1, 1 << 24));
 
   CLI::App* bands = app.add_subcommand("bands", "The cost at 1, 3, 9, 27 and 81 bands");
-  add_scenes(*bands, options, "sphere lens prism_a");
+  add_scenes(*bands, options, "sphere lens prism_view");
   bands->add_option("--spp", render.samples_per_pixel, "Samples per pixel (default 4)")
       ->check(CLI::Range(1, 1 << 24));
 
@@ -102,7 +102,7 @@ Options parse_command_line(int argc, const char* const* argv) {
   if (!render.samples_per_pixel) render.samples_per_pixel = 4;
   std::sort(options.error.budgets.begin(), options.error.budgets.end());
   if (options.scenes.empty()) {
-    options.scenes = {"sphere", "lens", "prism_a"};
+    options.scenes = {"sphere", "lens", "prism_view"};
     if (rays->parsed()) options.scenes.emplace_back("cube");
   }
   return options;

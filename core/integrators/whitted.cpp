@@ -16,7 +16,7 @@ namespace abbe {
 namespace {
 
 /// A branch is followed for sure when it matters at least as much as this part of one of the
-/// `max_fan` sub-bundles. Chosen by time against error on scenes/lens and scenes/prism_a, see
+/// `max_fan` sub-bundles. Chosen by time against error on scenes/lens and scenes/prism_view, see
 /// docs/decisions/bundles.md.
 constexpr double kSurePart = 1.0 / 16.0;
 

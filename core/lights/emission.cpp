@@ -3,7 +3,6 @@
 #include "core/lights/cone.h"
 #include "core/lights/illumination.h"
 #include "core/plan_extent.h"
-#include "geometry/surface_sample.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,21 +13,6 @@ namespace abbe {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-std::optional<EmissionTarget> ball_around(const PlacedShape& placed) {
-  if (!is_bounded(placed.shape))
-    return EmissionTarget{dvec3(0.0), std::numeric_limits<double>::infinity()};
-  const Bounds box = bounds(placed);
-  return EmissionTarget{0.5 * (box.lower + box.upper), 0.5 * glm::length(box.upper - box.lower)};
-}
-
-/// Of `count` things one, by a number in [0, 1) that becomes a number in [0, 1) again.
-std::size_t one_of(std::size_t count, double& u) {
-  const double x = u * static_cast<double>(count);
-  const std::size_t i = std::min(static_cast<std::size_t>(x), count - 1);
-  u = std::min(x - static_cast<double>(i), 1.0 - 0x1p-53);
-  return i;
-}
 
 Cone cone_of(const SpotLight& spot) {
   const double s = std::sin(0.5 * spot.half_angle);
@@ -44,28 +28,7 @@ bool overlap(const Cone& a, const Cone& b) {
   return between <= half_angle(a) + half_angle(b);
 }
 
-double solid_angles(const std::vector<EmissionTarget>& targets, const dvec3& place) {
-  double sum = 0.0;
-  for (const EmissionTarget& target : targets)
-    sum += cone_to_ball(place, target.center, target.radius).solid_angle();
-  return std::min(sum, 4.0 * kPi);
-}
-
 } // namespace
-
-DirectionSample towards(const std::vector<EmissionTarget>& targets, const dvec3& place, dvec2 u) {
-  const std::size_t chosen = one_of(targets.size(), u.x);
-  const Cone cone = cone_to_ball(place, targets[chosen].center, targets[chosen].radius);
-  const dvec3 direction = cone.sample(u);
-  double density = 0.0;
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    const Cone other =
-        i == chosen ? cone : cone_to_ball(place, targets[i].center, targets[i].radius);
-    // Rounding must not put a direction outside the cone it was drawn from.
-    if (i == chosen || other.holds(direction)) density += 1.0 / other.solid_angle();
-  }
-  return {direction, density / static_cast<double>(targets.size())};
-}
 
 bool endless_flux(const Light& light) {
   return light.falloff == Falloff::none &&
@@ -73,37 +36,17 @@ bool endless_flux(const Light& light) {
          !std::holds_alternative<SunLight>(light.emitter);
 }
 
-std::vector<EmissionTarget> specular_targets(const Scene& scene, const Plan& plan) {
-  std::vector<EmissionTarget> targets;
-  const auto specular = [&](MaterialId id) {
-    return id.valid() && plan.materials[id.index()].specular_part();
-  };
-  for (const PlacedShape& placed : scene.shapes) {
-    const bool of_drops = placed.medium.valid() && plan.medium(placed.medium).drops;
-    if (of_drops && plan.materials[placed.material.index()].clear) continue; // bends no light
-    bool found = specular(placed.material);
-    if (const auto* tree = std::get_if<CsgTree>(&placed.shape))
-      for (const auto& leaf : tree->leaves())
-        found = found || specular(leaf.material);
-    if (!found) continue;
-    if (const auto ball = ball_around(placed)) targets.push_back(*ball);
-  }
-  return targets;
-}
-
 Emission::Emission(const Scene& scene, const Plan& plan)
     : shape_emits_(scene.shapes.size(), false) {
   targets_ = specular_targets(scene, plan);
   const std::vector<EmissionTarget>& targets = targets_;
   if (targets.empty()) return;
-  // Parallel light reaches every target through its disc; an endless one gets the scene's.
-  const double scene_radius = std::max(scene_size(scene), 1e-300);
+  const auto parallel = std::make_shared<const ParallelTargets>(scene, plan);
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const Light& light = scene.lights[i];
     const double value = mean_of(light.spectrum, plan.grid);
     Emitter emitter;
     emitter.scene_ = &scene;
-    emitter.scene_size_ = scene_radius;
     emitter.light_ = static_cast<int>(i);
     emitter.source_ = plan.light_source(i);
     emitter.targets_ = targets;
@@ -119,16 +62,14 @@ Emission::Emission(const Scene& scene, const Plan& plan)
       emitter.flux_ =
           value * std::min(cone.solid_angle(), solid_angles(emitter.targets_, spot->position));
     } else {
-      for (EmissionTarget& target : emitter.targets_) {
-        target.radius = std::min(target.radius, scene_radius);
-        emitter.flux_ += value * kPi * kPi * target.radius * target.radius;
-      }
+      emitter.parallel_ = parallel;
+      emitter.flux_ = value * kPi * parallel->area();
     }
     if (emitter.flux_ > 0.0 && !emitter.targets_.empty()) emitters_.push_back(std::move(emitter));
   }
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     const PlacedShape& placed = scene.shapes[i];
-    if (!placed.material.valid() || !has_sampled_points(placed.shape)) continue;
+    if (!placed.material.valid() || !can_sample_surface(placed.shape)) continue;
     const MaterialPlan& material = plan.materials[placed.material.index()];
     if (material.emission_source < 0) continue;
     const double value = mean_of(scene.materials[placed.material.index()].emission, plan.grid);
@@ -139,9 +80,11 @@ Emission::Emission(const Scene& scene, const Plan& plan)
     emitter.one_sided_ = is_solid(placed.shape) || !material.emits_behind;
     emitter.source_ = material.emission_source;
     emitter.targets_ = targets;
+    emitter.surface_ = sampled_surface(placed, material.emits_behind);
+    const double area = std::visit([](const auto& s) { return s.area(); }, *emitter.surface_);
     const Bounds box = bounds(placed);
-    emitter.flux_ = value * surface_area(placed) *
-                    std::min(kPi, solid_angles(targets, 0.5 * (box.lower + box.upper)));
+    emitter.flux_ =
+        value * area * std::min(kPi, solid_angles(targets, 0.5 * (box.lower + box.upper)));
     shape_emits_[i] = true;
     emitters_.push_back(std::move(emitter));
   }
@@ -158,9 +101,7 @@ void Emission::place(const World& world) {
       continue;
     }
     // Just the solids around the shape: its own inside does not count.
-    const PlacedShape& placed = world.shapes()[emitter.shape_.index()];
-    const auto middle = sample_surface(placed, {0.5, 0.5});
-    for (const ShapeId id : world.nesting_at(middle->point))
+    for (const ShapeId id : world.nesting_at(emitter.surface_point({0.5, 0.5}).point))
       if (id != emitter.shape_) emitter.nesting_.push_back(id);
   }
 }
@@ -181,7 +122,7 @@ std::vector<std::uint32_t> Emission::shares(std::uint32_t paths) const {
 }
 
 std::optional<EmittedRay> Emitter::sample(const Sampler& sampler) const {
-  if (light_ < 0) return from_shape(scene_->shapes[shape_.index()], sampler);
+  if (light_ < 0) return from_shape(sampler);
   const Light& light = scene_->lights[static_cast<std::size_t>(light_)];
   if (const auto* point = std::get_if<PointLight>(&light.emitter))
     return from_point(point->position, sampler);
@@ -228,8 +169,8 @@ std::optional<EmittedRay> Emitter::from_sun(const SunLight& sun, const Sampler& 
   return ray;
 }
 
-/// Parallel light, through the discs that the targets fill as seen along it.
 std::optional<EmittedRay> Emitter::from_afar(const dvec3& direction, const Sampler& sampler) const {
+<<<<<<< HEAD
   const Frame frame(direction);
   dvec2 u = sampler.pair(kEmissionPoint);
   const std::size_t chosen = one_of(targets_.size(), u.x);
@@ -246,25 +187,31 @@ std::optional<EmittedRay> Emitter::from_afar(const dvec3& direction, const Sampl
     back = std::max(back, glm::dot(apart, direction) + 2.0 * target.radius);
   }
   density /= static_cast<double>(targets_.size());
+=======
+  const ParallelSample line = parallel_->sample(direction, sampler.pair(kEmissionPoint));
+>>>>>>> caustics
   EmittedRay ray;
-  ray.state.ray = {place - (back + scene_size_) * direction, direction};
+  ray.state.ray = {line.place, direction};
   ray.source = source_;
-  ray.flux = kPi / density;
+  ray.flux = kPi / line.density;
   return ray;
 }
 
-std::optional<EmittedRay> Emitter::from_shape(const PlacedShape& placed,
-                                              const Sampler& sampler) const {
-  const auto point = sample_surface(placed, sampler.pair(kEmissionPoint));
-  const DirectionSample way = towards(targets_, point->point, sampler.pair(kEmissionDirection));
-  const double cosine = glm::dot(way.direction, point->normal);
+SurfacePoint Emitter::surface_point(const dvec2& u) const {
+  return std::visit([&](const auto& s) { return s.at(u); }, *surface_);
+}
+
+std::optional<EmittedRay> Emitter::from_shape(const Sampler& sampler) const {
+  const SurfacePoint at = surface_point(sampler.pair(kEmissionPoint));
+  const DirectionSample way = towards(targets_, at.point, sampler.pair(kEmissionDirection));
+  const double cosine = glm::dot(way.direction, at.normal);
   if (one_sided_ ? !(cosine > 0.0) : cosine == 0.0) return std::nullopt;
   EmittedRay ray;
-  ray.state.ray = {point->point, way.direction};
-  ray.state.contacts.push_back({shape_, point->face, cosine > 0.0 ? Side::outside : Side::inside});
+  ray.state.ray = {at.point, way.direction};
+  ray.state.contacts.push_back({shape_, at.face, cosine > 0.0 ? Side::outside : Side::inside});
   ray.state.nesting = nesting_;
   ray.source = source_;
-  ray.flux = std::abs(cosine) / (point->density * way.density);
+  ray.flux = std::abs(cosine) / (at.density * way.density);
   return ray;
 }
 

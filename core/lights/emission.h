@@ -1,21 +1,17 @@
 #pragma once
 
-#include "core/frame.h"
+#include "core/lights/emission_targets.h"
+#include "core/lights/sampled_surface.h"
 #include "core/plan.h"
 #include "core/sampler.h"
 #include "geometry/world.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace abbe {
-
-/// A ball around something that mirrors or refracts.
-struct EmissionTarget {
-  dvec3 center{0.0};
-  double radius = 0.0; ///< infinite for shapes without end
-};
 
 /// The beginning of a light path.
 struct EmittedRay {
@@ -42,18 +38,19 @@ private:
                                                    const Sampler& sampler) const;
   [[nodiscard]] std::optional<EmittedRay> from_afar(const dvec3& direction,
                                                     const Sampler& sampler) const;
-  [[nodiscard]] std::optional<EmittedRay> from_shape(const PlacedShape& placed,
-                                                     const Sampler& sampler) const;
+  [[nodiscard]] std::optional<EmittedRay> from_shape(const Sampler& sampler) const;
+  [[nodiscard]] SurfacePoint surface_point(const dvec2& u) const;
 
   const Scene* scene_ = nullptr;
-  double scene_size_ = 0.0; ///< of a light: how far before the targets parallel light begins
-  int light_ = -1;          ///< index into Scene::lights; negative: a shape
+  int light_ = -1; ///< index into Scene::lights; negative: a shape
   ShapeId shape_;
+  std::optional<SampledSurface> surface_; ///< of the shape
   bool one_sided_ = true;
   int source_ = 0;
   double flux_ = 0.0; ///< mean over the bands
   std::vector<EmissionTarget> targets_;
-  Nesting nesting_; ///< solids around the lamp
+  std::shared_ptr<const ParallelTargets> parallel_; ///< of parallel light
+  Nesting nesting_;                                 ///< solids around the lamp
 };
 
 /// All lamps with something specular in their light.
@@ -82,18 +79,7 @@ private:
   std::vector<bool> shape_emits_; ///< by ShapeId
 };
 
-/// A direction from a place to one of the targets.
-struct DirectionSample {
-  dvec3 direction{0.0};
-  double density = 0.0; ///< per steradian
-};
-[[nodiscard]] DirectionSample towards(const std::vector<EmissionTarget>& targets,
-                                      const dvec3& place, dvec2 u);
-
 /// True for a lamp at a place whose light does not fall off with distance: it has no flux.
 [[nodiscard]] bool endless_flux(const Light& light);
-
-/// The shapes that light paths may go by: balls around those that mirror or refract.
-[[nodiscard]] std::vector<EmissionTarget> specular_targets(const Scene& scene, const Plan& plan);
 
 } // namespace abbe

@@ -1,6 +1,7 @@
 #include "core/lights/sampled_surface.h"
 
 #include "core/lights/cone.h"
+#include "geometry/polyhedron_faces.h"
 
 #include <glm/geometric.hpp>
 
@@ -93,22 +94,36 @@ SampledSurface surface_of(const Box&, const Transform& t, bool) {
   return box;
 }
 
-/// A triangle's first corner and two edges in the world.
-std::array<dvec3, 3> triangle(const MeshSurface& s, int i) {
-  const dvec3 a = s.mesh->corner(i, 0);
-  return {s.to_world.point(a), s.to_world.vector(s.mesh->corner(i, 1) - a),
-          s.to_world.vector(s.mesh->corner(i, 2) - a)};
+SampledSurface surface_of(const ConvexPolyhedron& solid, const Transform& t, bool) {
+  PolyhedronSurface surface{{}, 0.0};
+  const int faces = static_cast<int>(solid.half_spaces().size());
+  for (int face = 0; face < faces; ++face) {
+    const std::vector<dvec3> corners = face_corners(solid, face);
+    const dvec3 normal = t.normal(solid.half_spaces()[static_cast<std::size_t>(face)].normal);
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      const TriangleEdges edges{t.point(corners[0]), t.vector(corners[i - 1] - corners[0]),
+                                t.vector(corners[i] - corners[0])};
+      const double area = 0.5 * glm::length(glm::cross(edges.ab, edges.ac));
+      surface.parts.push_back({edges, normal, area, face});
+      surface.whole_area += area;
+    }
+  }
+  return surface;
 }
 
 SampledSurface surface_of(const Mesh& mesh, const Transform& t, bool both_sides) {
   MeshSurface surface{&mesh, t, {}, signed_volume(t) < 0.0, both_sides && !mesh.is_closed()};
   double sum = 0.0;
   for (int i = 0; i < static_cast<int>(mesh.triangles().size()); ++i) {
-    const auto [a, ab, ac] = triangle(surface, i);
-    sum += 0.5 * glm::length(glm::cross(ab, ac));
+    const TriangleEdges edges = surface.triangle(i);
+    sum += 0.5 * glm::length(glm::cross(edges.ab, edges.ac));
     surface.cumulative.push_back(sum);
   }
   return surface;
+}
+
+bool turns_to(const PolyhedronSurface::Part& part, const dvec3& place) {
+  return glm::dot(place - part.triangle.corner, part.normal) > 0.0;
 }
 
 template <class S>
@@ -244,17 +259,37 @@ double BoxSurface::area() const {
   return 2.0 * (face_area[0] + face_area[1] + face_area[2]);
 }
 
-/// The square root turns the unit square into a triangle [Turk90].
+std::optional<SeenPoint> PolyhedronSurface::sample(const dvec3& place, const dvec2& u) const {
+  const double total = seen_area(place);
+  double rest = u.x * total;
+  const Part* chosen = nullptr;
+  for (const Part& part : parts) {
+    if (!turns_to(part, place)) continue;
+    chosen = &part;
+    if (rest < part.area) break;
+    rest -= part.area;
+  }
+  if (!chosen) return std::nullopt;
+  const dvec3 point = triangle_point(chosen->triangle, std::min(rest / chosen->area, 1.0), u.y);
+  return seen_from(place, point, chosen->normal, 1.0 / total, false);
+}
+
+double PolyhedronSurface::density(const dvec3& place, const dvec3& point, const dvec3& n) const {
+  const double total = seen_area(place);
+  return total > 0.0 ? per_steradian(place, point, n, 1.0 / total) : 0.0;
+}
+
+double PolyhedronSurface::seen_area(const dvec3& place) const {
+  double sum = 0.0;
+  for (const Part& part : parts)
+    if (turns_to(part, place)) sum += part.area;
+  return sum;
+}
+
 std::optional<SeenPoint> MeshSurface::sample(const dvec3& place, const dvec2& u) const {
-  const double goal = u.x * cumulative.back();
-  const auto chosen = std::upper_bound(cumulative.begin(), cumulative.end() - 1, goal);
-  const double below = chosen == cumulative.begin() ? 0.0 : *(chosen - 1);
-  const double x = std::clamp((goal - below) / (*chosen - below), 0.0, 1.0);
-  const auto [a, ab, ac] = triangle(*this, static_cast<int>(chosen - cumulative.begin()));
-  const double root = std::sqrt(x);
-  const dvec3 normal = glm::normalize(glm::cross(ab, ac)) * (mirrored ? -1.0 : 1.0);
-  return seen_from(place, a + root * (1.0 - u.y) * ab + root * u.y * ac, normal, 1.0 / area(),
-                   both_sides);
+  double x = u.x;
+  const TriangleEdges chosen = triangle(choose(x));
+  return seen_from(place, triangle_point(chosen, x, u.y), normal(chosen), 1.0 / area(), both_sides);
 }
 
 double MeshSurface::density(const dvec3& place, const dvec3& point, const dvec3& n) const {

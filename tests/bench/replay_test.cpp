@@ -37,7 +37,7 @@ std::size_t hits(const World& world, const RaysOfKind& rays) {
 } // namespace
 
 TEST_CASE("the record holds every ray that is counted") {
-  for (const char* name : {"sphere", "lens", "prism_a"}) {
+  for (const char* name : {"sphere", "lens", "prism_view"}) {
     INFO(name);
     Recorded r = recorded(name, ShadowRule::attenuated);
     REQUIRE(r.kinds.size() == 4);
@@ -68,7 +68,7 @@ TEST_CASE("recording changes nothing of the picture") {
 }
 
 TEST_CASE("recorded rays meet the same in the world and in raw Embree, at any width") {
-  for (const char* name : {"sphere", "lens", "prism_a"})
+  for (const char* name : {"sphere", "lens", "prism_view"})
     for (const ShadowRule shadows : {ShadowRule::attenuated, ShadowRule::opaque}) {
       const Recorded r = recorded(name, shadows);
       for (const RaysOfKind& rays : r.kinds) {

@@ -21,7 +21,7 @@ Scene small(const std::string& name) {
   return scene;
 }
 
-const auto kScenes = {"sphere", "cube", "prism_a", "lens"};
+const auto kScenes = {"sphere", "cube", "prism_view", "lens"};
 
 } // namespace
 
@@ -84,7 +84,7 @@ TEST_CASE("the same seed makes the same bytes, another seed others") {
 }
 
 TEST_CASE("a crop shows the bytes of its part of the whole picture") {
-  Scene scene = small("prism_a");
+  Scene scene = small("prism_view");
   const Picture whole = picture(scene);
   scene.settings.crop = PixelWindow{8, 3, 29, 31};
   const Picture part = picture(scene);

@@ -1,7 +1,9 @@
+#include "core/lights/emission.h"
 #include "spectral/glass.h"
 #include "tests/catch.h"
 #include "tests/seeds.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -61,6 +63,64 @@ TEST_CASE("caustics of each kind of lamp are those of camera paths alone") {
   }
 }
 
+TEST_CASE("meshes and polyhedra that shine throw the caustics of the squares and boxes they are") {
+  // The box's twelve triangles, counter-clockwise from outside, corner i at the signs of its bits.
+  std::vector<dvec3> corners;
+  for (int i = 0; i < 8; ++i)
+    corners.push_back({i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0});
+  const Mesh box_mesh(corners, {{0, 2, 3},
+                                {0, 3, 1},
+                                {4, 5, 7},
+                                {4, 7, 6},
+                                {0, 1, 5},
+                                {0, 5, 4},
+                                {2, 6, 7},
+                                {2, 7, 3},
+                                {0, 4, 6},
+                                {0, 6, 2},
+                                {1, 3, 7},
+                                {1, 7, 5}});
+  std::vector<HalfSpace> sides;
+  for (int i = 0; i < 6; ++i) {
+    dvec3 normal(0.0);
+    normal[i / 2] = i % 2 == 0 ? -1.0 : 1.0;
+    sides.push_back({normal, 1.0});
+  }
+  const Mesh square_mesh({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+  const std::string box =
+      kGlow + "push translate 0.3 2.4 0 rotate 30 1 1 0 scale -0.6 0.5 0.6 cube pop";
+  const std::string square = "push translate 0.2 2.4 0 rotate 95 1 0 0 scale 0.9 0.8 1 square pop";
+  struct Twin {
+    const char* name;
+    std::string lamp;
+    Shape shape;
+  };
+  const std::vector<Twin> twins = {
+      {"box and mesh", box, box_mesh},
+      {"box and polyhedron", box, ConvexPolyhedron(sides)},
+      {"square and mesh, in front", kGlow + "emissiveSides front " + square, square_mesh}};
+  for (const Twin& twin : twins) {
+    INFO(twin.name);
+    Scene scene = test::scene_from(floor_with(twin.lamp));
+    scene.settings.samples_per_pixel = 128;
+    scene.settings.light_paths = 8.0;
+    const auto find_lamp = [&](PlacedShape& placed) {
+      return std::holds_alternative<Box>(placed.shape) ||
+             (std::holds_alternative<Square>(placed.shape) &&
+              placed.material == scene.shapes.front().material);
+    };
+    const auto lamp = std::find_if(scene.shapes.begin(), scene.shapes.end(), find_lamp);
+    REQUIRE(lamp != scene.shapes.end());
+    const auto analytic = test::over_seeds(scene, 16);
+    lamp->shape = twin.shape;
+    CHECK(Emission(scene, make_plan(scene, scene.settings)).emitters().size() == 1);
+    const auto meshed = test::over_seeds(scene, 16);
+    CHECK(std::abs(total_z(analytic, meshed)) < 4.0);
+    CHECK(meshed.total == Approx(analytic.total).epsilon(0.01));
+    CHECK(mean_square_z(analytic, meshed) < 1.5);
+  }
+}
+
 TEST_CASE("parallel light and a tiny sun make the same caustic") {
   const auto total = [](const std::string& lamp) {
     Scene scene = test::scene_from(floor_with(lamp));
@@ -101,4 +161,36 @@ TEST_CASE("a card under a plate of glass is as bright as Fresnel says, under eac
   // of the plate of 0.1 / 1000.
   CHECK(seen("falloff square light E 0 0 997 1") * 1e6 * std::numbers::pi ==
         Approx(1.0).epsilon(0.01));
+}
+
+// A card over a mirror without end, far from the origin, seen from below: light of irradiance pi
+// times the value, that falls at an angle, reaches its lower side from a mirror that keeps half
+// as half of the cosine. The card's shadow falls beside where that light comes from.
+TEST_CASE("a mirror without end lights a card above it, wherever the scene stands") {
+  for (const dvec3 place : {dvec3(0.0), dvec3(300.0, -70.0, 50.0), dvec3(0.0, 0.0, 2000.0)})
+    for (const double height : {4.0, 40.0}) {
+      for (const std::string lamp : {"light E 1 1 0 0", "sunRadius 0.05 sun 1 1 0 E"}) {
+        const auto at = [&](const dvec3& p) {
+          const dvec3 q = place + p;
+          std::string text;
+          for (const double x : {q.x, q.y, q.z})
+            text.append(std::to_string(x)).append(" ");
+          return text;
+        };
+        const Scene scene = test::scene_from(
+            "integrator path imageSize 2 2 samples 64 lightPaths 256 fieldOfView 100 filter box\n"
+            "up 0 0 1 eye " +
+            at({0, -0.3, 0}) + "lookAt " + at({0, 1, 0}) + lamp +
+            "\ndefaultMaterials diffuse 0.8 0.8 0.8\n"
+            "push translate " +
+            at({0, 0, 0}) +
+            "rotate 90 1 0 0 square pop\n"
+            "diffuse 0 0 0 reflectivity 0.5 fresnel off\n"
+            "push translate " +
+            at({0, -height, 0}) + "rotate -90 1 0 0 plane pop");
+        CAPTURE(place.x, place.z, height, lamp);
+        const auto seen = test::over_seeds(scene, 4);
+        CHECK(seen.total == Approx(0.5 * 0.8 * std::sqrt(0.5)).epsilon(0.02));
+      }
+    }
 }

@@ -83,10 +83,11 @@ TEST_CASE("directions to a lamp come with the density that is claimed, which is 
     bool complete; ///< each draw gives a direction, from outside
   };
   const Case cases[] = {
-      {"square", Square{}, kStretch, true},     {"disc", Disc{}, kStretch, true},
-      {"ball", Sphere{}, kEven, true},          {"mirrored ball", Sphere{}, -kEven, true},
-      {"ellipsoid", Sphere{}, kStretch, false}, {"box", Box{}, kStretch, true},
-      {"mirrored box", Box{}, kMirror, true},   {"tetrahedron", tetrahedron(), kMirror, false}};
+      {"square", Square{}, kStretch, true},      {"disc", Disc{}, kStretch, true},
+      {"ball", Sphere{}, kEven, true},           {"mirrored ball", Sphere{}, -kEven, true},
+      {"ellipsoid", Sphere{}, kStretch, false},  {"box", Box{}, kStretch, true},
+      {"mirrored box", Box{}, kMirror, true},    {"tetrahedron", tetrahedron(), kMirror, false},
+      {"prism", thesis_prism(), kStretch, true}, {"mirrored prism", thesis_prism(), kMirror, true}};
   // The flat ones are looked at from above: their normal is the rotated z axis.
   const dvec3 up = Transform::rotation(35.0, {1.0, 2.0, -0.5}).vector({0.0, 0.0, 1.0});
   for (const Case& c : cases)
@@ -119,7 +120,8 @@ TEST_CASE("a flat lamp is dark behind unless both of its sides shine") {
 }
 
 TEST_CASE("no solid lamp shines inside itself") {
-  for (const Shape& shape : {Shape(Sphere{}), Shape(Box{}), Shape(tetrahedron())})
+  for (const Shape& shape :
+       {Shape(Sphere{}), Shape(Box{}), Shape(tetrahedron()), Shape(thesis_prism())})
     for (const dvec3& stretch : {kEven, kStretch}) {
       const Seen inside(shape, placed_at(dvec3(0.0), stretch), {0.02, 0.03, 0.01}, true);
       for (const dvec2 u : {dvec2(0.1, 0.2), dvec2(0.9, 0.6), dvec2(0.5, 0.5), dvec2(0.3, 0.99)})
@@ -146,8 +148,8 @@ TEST_CASE("the density of a ball is one over its solid angle, however small it i
 }
 
 TEST_CASE("a shadow ray to a lamp ends before it") {
-  for (const Shape& shape :
-       {Shape(Square{}), Shape(Disc{}), Shape(Sphere{}), Shape(Box{}), Shape(roof())})
+  for (const Shape& shape : {Shape(Square{}), Shape(Disc{}), Shape(Sphere{}), Shape(Box{}),
+                             Shape(roof()), Shape(thesis_prism())})
     for (const dvec3& stretch : {kEven, kStretch}) {
       const Seen lamp(shape, placed_at({0.3, 0.1, 5.0}, stretch), {0.1, 0.7, 0.2}, true);
       int seen_points = 0;
@@ -173,10 +175,50 @@ TEST_CASE("areas in the world") {
   CHECK(area(Sphere{}, kEven) == Approx(4.0 * kPi * 0.36));
   CHECK(area(Box{}, {1.0, 2.0, 3.0}) == Approx(8.0 * (2.0 + 3.0 + 6.0)));
   CHECK(area(tetrahedron(), kEven) == Approx(0.36 * std::sqrt(3.0) * 8.0)); // edges 2 sqrt(2)
+  // Its triangle has sides of 2 sqrt(3) and a height of 3.
+  const double root3 = std::sqrt(3.0);
+  CHECK(area(thesis_prism(), kEven) == Approx(0.36 * (2.0 * 3.0 * root3 + 3.0 * 4.0 * root3)));
   // A spheroid with axes 1, 1, c > 1: 2 pi (1 + c / e asin e), e^2 = 1 - 1 / c^2.
   const double c = 2.0, e = std::sqrt(1.0 - 1.0 / (c * c));
   CHECK(area(Sphere{}, {1.0, 1.0, c}) ==
         Approx(2.0 * kPi * (1.0 + c / e * std::asin(e))).epsilon(1e-3));
+}
+
+// The mean of 1 / density is the area; over a closed surface the normals times area cancel, and
+// over one with a centre the places do, if each part has its share. The face that is named holds
+// the point.
+TEST_CASE("points of a surface come with the density that is claimed, on the face that is named") {
+  const Shape shapes[] = {Square{}, Disc{}, Sphere{}, Box{}, roof(), tetrahedron(), thesis_prism()};
+  for (const Shape& shape : shapes)
+    for (const dvec3& stretch : {kEven, kMirror}) {
+      CAPTURE(shape.index(), stretch.y);
+      const PlacedShape placed{shape, placed_at({1, 2, 3}, stretch), {}, {}, 0};
+      const SampledSurface surface = *sampled_surface(placed, false);
+      constexpr int kSide = 128;
+      double area = 0.0;
+      dvec3 normals(0.0), places(0.0);
+      for (int i = 0; i < kSide * kSide; ++i) {
+        const dvec2 u{(i % kSide + 0.5) / kSide, (i / kSide + 0.5) / kSide};
+        const SurfacePoint at = std::visit([&](const auto& s) { return s.at(u); }, surface);
+        const double share = 1.0 / at.density / (kSide * kSide);
+        const dvec3 local = placed.to_world.inverse_point(at.point);
+        area += share;
+        normals += share * at.normal;
+        places += share * local;
+        const dvec3 on_face =
+            std::visit([&](const auto& s) { return snapped(s, local, at.face); }, shape);
+        const dvec3 normal =
+            std::visit([&](const auto& s) { return outward_normal(s, local, at.face); }, shape);
+        REQUIRE(glm::distance(on_face, local) < 1e-12);
+        REQUIRE(glm::distance(placed.to_world.normal(normal), at.normal) < 1e-12);
+      }
+      CHECK(area ==
+            Approx(std::visit([](const auto& s) { return s.area(); }, surface)).epsilon(1e-3));
+      if (is_solid(shape)) CHECK(glm::length(normals) < 0.03 * area);
+      const bool has_centre =
+          !std::holds_alternative<Mesh>(shape) && !std::holds_alternative<ConvexPolyhedron>(shape);
+      if (has_centre) CHECK(glm::length(places) < 0.03 * area);
+    }
 }
 
 TEST_CASE("other shapes cannot be sampled") {
