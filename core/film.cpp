@@ -111,6 +111,11 @@ Xyz Film::color(int x, int y) const {
 }
 
 Xyz Film::error(int x, int y) const {
+  const Xyz e = signed_error(x, y);
+  return {std::abs(e.x), std::abs(e.y), std::abs(e.z)};
+}
+
+Xyz Film::signed_error(int x, int y) const {
   const std::size_t p = index(x, y);
   const std::uint32_t n = counts_[p];
   constexpr double unknown = std::numeric_limits<double>::infinity();
@@ -119,7 +124,7 @@ Xyz Film::error(int x, int y) const {
   const auto error = [&](std::size_t i) {
     const auto first = static_cast<double>(first_sums_[i]);
     const double rest = static_cast<double>(sums_[i] - first_sums_[i]);
-    return std::sqrt(a * b) / n * quantum_ * std::abs(first / a - rest / b);
+    return std::sqrt(a * b) / n * quantum_ * (first / a - rest / b);
   };
   return {error(3 * p), error(3 * p + 1), error(3 * p + 2)};
 }

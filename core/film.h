@@ -50,6 +50,9 @@ public:
   /// Such parts, and not odd and even samples, are each as evenly spread as the sampler's
   /// sequences are [Burley20]; docs/decisions/noise.md tells how much too large that is.
   [[nodiscard]] Xyz error(int x, int y) const;
+  /// The same with the sign of A - B, so that it is linear in the samples: its linear R, G, B are
+  /// those of the pixel's error.
+  [[nodiscard]] Xyz signed_error(int x, int y) const;
   [[nodiscard]] std::uint32_t samples(int x, int y) const { return counts_[index(x, y)]; }
 
   /// Samples that were refused.

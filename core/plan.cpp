@@ -5,6 +5,7 @@
 #include "core/plan_drops.h"
 #include "core/plan_extent.h"
 #include "core/plan_lines.h"
+#include "core/plan_samples.h"
 #include "core/plan_surfaces.h"
 #include "core/plan_tiles.h"
 #include "spectral/observer.h"
@@ -257,7 +258,7 @@ void note_content(const Scene& scene, Plan& plan) {
   plan.notes.insert(plan.notes.begin(),
                     fmt::format("{} x {} pixels in {}, {}; {} of {:.3g} nm", plan.window.width(),
                                 plan.window.height(), count(plan.tiles.size(), "tile", "tiles"),
-                                (settings.adaptive() ? "at most " : "") +
+                                (settings.may_end_early() ? "at most " : "") +
                                     count(static_cast<std::size_t>(settings.samples_per_pixel),
                                           "sample a pixel", "samples a pixel"),
                                 count(static_cast<std::size_t>(settings.bands), "band", "bands"),
@@ -305,8 +306,7 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
   if (settings.shadows == ShadowRule::automatic)
     plan.settings.shadows =
         settings.integrator == Integrator::path ? ShadowRule::opaque : ShadowRule::attenuated;
-  if (settings.samples_per_pixel == 0)
-    plan.settings.samples_per_pixel = settings.adaptive() ? kMostSamplesPerPixel : kSamplesPerPixel;
+  plan_samples(plan.settings);
   plan.grid = BandGrid(settings.bands);
   plan.stride = padded_band_count(settings.bands);
 

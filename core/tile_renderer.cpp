@@ -29,16 +29,29 @@ TileRenderer::TileRenderer(const Scene& scene, const Plan& plan, const World& wo
   if (camera.lens) lens_fan_.emplace(plan, *camera.lens);
 }
 
-RayCounts TileRenderer::render(const Tile& tile, SampleRange samples, RayRecord* record) {
+SampleRange PassSamples::of(const Film& film, int x, int y) const {
+  if (allocation_.empty()) return all_;
+  const PixelWindow& w = film.window();
+  const auto row = static_cast<std::size_t>(y - w.y0) * static_cast<std::size_t>(w.width());
+  const auto wanted = static_cast<int>(allocation_[row + static_cast<std::size_t>(x - w.x0)]);
+  const auto has = static_cast<int>(film.samples(x, y));
+  return {has, has + (std::max(wanted - has, 0) + passes_left_ - 1) / passes_left_};
+}
+
+RayCounts TileRenderer::render(const Tile& tile, const PassSamples& samples, RayRecord* record,
+                               std::uint64_t& rendered) {
   RayCounts counts;
   counts.record = record;
   const PixelWindow& w = tile.window;
   for (int y = w.y0; y < w.y1; ++y)
-    for (int x = w.x0; x < w.x1; ++x)
-      for (int s = samples.first; s < samples.last; ++s) {
+    for (int x = w.x0; x < w.x1; ++x) {
+      const SampleRange range = samples.of(film_, x, y);
+      rendered += static_cast<std::uint64_t>(range.last - range.first);
+      for (int s = range.first; s < range.last; ++s) {
         batch_.push_back({x, y, Sampler(x, y, static_cast<std::uint32_t>(s), plan_.settings.seed)});
         if (batch_.size() == kPacketWidth) finish_batch(tile.empty, counts);
       }
+    }
   finish_batch(tile.empty, counts);
   return counts;
 }

@@ -42,14 +42,14 @@ TEST_CASE("noise and time say when to stop, and make the number of samples a lim
   const RenderSettings plain = settings({});
   CHECK(plain.noise == 0.0);
   CHECK(plain.seconds == 0.0);
-  CHECK_FALSE(plain.adaptive());
+  CHECK_FALSE(plain.may_end_early());
   CHECK_FALSE(plain.keep_errors);
   const RenderSettings both = settings({"--noise", "0.05", "--time", "2.5", "--spp", "100"});
   CHECK(both.noise == 0.05);
   CHECK(both.seconds == 2.5);
   CHECK(both.samples_per_pixel == 100);
-  CHECK(both.adaptive());
-  CHECK(settings({"--time", "2.5"}).adaptive());
+  CHECK(both.may_end_early());
+  CHECK(settings({"--time", "2.5"}).may_end_early());
   CHECK(settings({"--errors"}).keep_errors);
   RenderSettings scene;
   scene.noise = 0.1;
