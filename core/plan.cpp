@@ -255,14 +255,16 @@ void note_content(const Scene& scene, Plan& plan) {
                                 count(scene.lights.size(), "lamp", "lamps"),
                                 count(scene.media.size(), "medium", "media"), glasses));
   const RenderSettings& settings = plan.settings;
-  plan.notes.insert(plan.notes.begin(),
-                    fmt::format("{} x {} pixels in {}, {}; {} of {:.3g} nm", plan.window.width(),
-                                plan.window.height(), count(plan.tiles.size(), "tile", "tiles"),
-                                (settings.may_end_early() ? "at most " : "") +
-                                    count(static_cast<std::size_t>(settings.samples_per_pixel),
-                                          "sample a pixel", "samples a pixel"),
-                                count(static_cast<std::size_t>(settings.bands), "band", "bands"),
-                                plan.grid.width_nm()));
+  plan.notes.insert(
+      plan.notes.begin(),
+      fmt::format("{} x {} pixels in {}, {}; {} of {:.3g} nm", plan.window.width(),
+                  plan.window.height(), count(plan.tiles.size(), "tile", "tiles"),
+                  (settings.may_end_early() ? "at most " : "") +
+                      count(static_cast<std::size_t>(settings.samples_per_pixel), "sample a pixel",
+                            "samples a pixel") +
+                      (settings.adaptive == AdaptiveSampling::on ? " in the mean" : ""),
+                  count(static_cast<std::size_t>(settings.bands), "band", "bands"),
+                  plan.grid.width_nm()));
   if (settings.noise > 0.0)
     plan.notes.push_back(
         fmt::format("each tile ends at an estimated relative error of {}", settings.noise));

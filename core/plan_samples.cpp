@@ -12,8 +12,7 @@ void plan_samples(RenderSettings& settings) {
         "adaptive on and a noise target exclude each other: with a target each tile ends on its "
         "own. Leave out one of them");
   if (settings.adaptive != AdaptiveSampling::automatic) return;
-  const bool pays = settings.integrator == Integrator::path && settings.noise == 0.0 &&
-                    settings.samples_per_pixel >= kLeastAdaptiveSamples;
+  const bool pays = settings.noise == 0.0 && settings.samples_per_pixel >= kLeastAdaptiveSamples;
   settings.adaptive = pays ? AdaptiveSampling::on : AdaptiveSampling::off;
 }
 

@@ -27,25 +27,9 @@ namespace {
 /// A tile that is not done yet.
 struct OpenTile {
   const Tile* tile;
-  int expected;                     ///< how many samples a pixel it may need
-  double samples = 0.0, rays = 0.0; ///< so far
+  int expected; ///< how many samples a pixel it may need
   bool done = false;
 };
-
-/// What a sample of each pixel costs, as `allocate_samples` asks for it: rays, and one more for all
-/// that is done without any.
-std::vector<float> sample_costs(const PixelWindow& film, const std::vector<OpenTile>& tiles) {
-  std::vector<float> costs(film.pixel_count());
-  for (const OpenTile& tile : tiles) {
-    const PixelWindow& w = tile.tile->window;
-    const auto cost = static_cast<float>(1.0 + tile.rays / tile.samples);
-    for (int y = w.y0; y < w.y1; ++y)
-      std::fill_n(costs.begin() + static_cast<std::ptrdiff_t>(y - film.y0) * film.width() +
-                      (w.x0 - film.x0),
-                  w.width(), cost);
-  }
-  return costs;
-}
 
 /// How many samples a tile may need, by the error it has after n of them: errors fall like
 /// 1/sqrt(n).
@@ -64,14 +48,14 @@ double more_than(const std::vector<std::uint32_t>& allocation, int mean) {
 
 } // namespace
 
-Rendering render(const Scene& scene, const Plan& plan, const World& world, bool keep_bands,
+Rendering render(const Scene& scene, const Plan& plan, const World& world, const KeepBands& bands,
                  const ProgressCallback& progress, const std::atomic<bool>& stop,
                  RayRecord* record) {
   const RenderSettings& settings = plan.settings;
   const SampleSchedule schedule(settings);
   const int most = settings.samples_per_pixel;
-  Rendering result{
-      Film(plan.window, plan.quantum, keep_bands ? plan.grid.count() : 0, settings.needs_errors())};
+  Rendering result{Film(plan.window, plan.quantum, bands.keep ? plan.grid.count() : 0,
+                        settings.needs_errors(), bands.place)};
   const PlacedCamera camera(scene, settings, world);
   const Lamps lamps(scene, plan);
   LightPasses light_passes(scene, plan, world, camera.pinhole() ? &camera.rays : nullptr,
@@ -84,6 +68,8 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
                                     static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
 
+  std::vector<std::uint32_t> pixel_rays; // row by row, where adaptive sampling asks for them
+  if (settings.adaptive == AdaptiveSampling::on) pixel_rays.resize(plan.window.pixel_count());
   std::vector<OpenTile> open;
   for (const Tile& tile : plan.tiles)
     open.push_back({&tile, most});
@@ -98,8 +84,7 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
     const auto pixels = static_cast<double>(window.pixel_count());
     std::uint64_t done = 0;
     const RayCounts rays = renderer.render(*tile.tile, samples, record, done);
-    tile.samples += static_cast<double>(done);
-    tile.rays += static_cast<double>(rays.total());
+    if (done > 0) result.film.touched_bands(window.pixel_count());
     const int expected = tile.expected;
     tile.expected = std::max(expected, last);
     if (settings.noise > 0.0 && (schedule.may_end(last) || last == most)) {
@@ -116,9 +101,7 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
   while (done < most && !open.empty()) {
     if (done == round_end) {
       round_end = schedule.end_of_round(done);
-      arena.execute([&] {
-        allocation = allocate_samples(result.film, sample_costs(plan.window, open), round_end);
-      });
+      arena.execute([&] { allocation = allocate_samples(result.film, pixel_rays, round_end); });
       if (round_end == most) meter.step({}, 0.0, more_than(allocation, most));
     }
     const int last = schedule.end_of_pass(done, round_end);
@@ -136,7 +119,7 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
                           const DenormalsOff denormals_off;
                           TileRenderer renderer(scene, plan, world, lamps,
                                                 light_passes.needed() ? &light_passes : nullptr,
-                                                camera, result.film);
+                                                camera, result.film, pixel_rays);
                           for (std::size_t i = range.begin(); i < range.end() && !ends(done); ++i) {
                             advance(open[i], samples, last, renderer);
                             ++rendered;

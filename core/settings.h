@@ -51,7 +51,7 @@ struct RenderSettings {
   double noise = 0.0;   ///< a tile is done when its `relative_error` is at most this; 0: never
   double seconds = 0.0; ///< the rendering ends after this time; 0: never
   AdaptiveSampling adaptive = AdaptiveSampling::automatic; ///< in a plan `on` or `off`
-  bool keep_errors = false; ///< errors are estimated, even if neither noise nor time ends it
+  bool keep_errors = false; ///< errors are told, even if neither noise nor time ends it
   std::uint64_t seed = 0;
   Integrator integrator = Integrator::whitted;
   PixelFilter filter = PixelFilter::gaussian;
@@ -73,9 +73,11 @@ struct RenderSettings {
 
   /// True where something else than the number of samples may end the rendering.
   [[nodiscard]] bool may_end_early() const { return noise > 0.0 || seconds > 0.0; }
+  /// True where errors are written with the picture.
+  [[nodiscard]] bool reports_errors() const { return keep_errors || may_end_early(); }
   /// True in a plan whose film must keep errors.
   [[nodiscard]] bool needs_errors() const {
-    return keep_errors || may_end_early() || adaptive == AdaptiveSampling::on;
+    return reports_errors() || adaptive == AdaptiveSampling::on;
   }
 
   int threads = 0;  ///< 0: one per processor

@@ -18,12 +18,19 @@ std::unique_ptr<CameraIntegrator> make_integrator(const Scene& scene, const Plan
   return std::make_unique<Whitted>(scene, plan, world, lamps, pixel_angle);
 }
 
+/// Row by row.
+std::size_t pixel_index(const PixelWindow& window, int x, int y) {
+  return static_cast<std::size_t>(y - window.y0) * static_cast<std::size_t>(window.width()) +
+         static_cast<std::size_t>(x - window.x0);
+}
+
 } // namespace
 
 TileRenderer::TileRenderer(const Scene& scene, const Plan& plan, const World& world,
                            const Lamps& lamps, const LightPasses* light_passes,
-                           const PlacedCamera& camera, Film& film)
-    : plan_(plan), world_(world), camera_(camera), film_(film),
+                           const PlacedCamera& camera, Film& film,
+                           std::span<std::uint32_t> pixel_rays)
+    : plan_(plan), world_(world), camera_(camera), film_(film), pixel_rays_(pixel_rays),
       integrator_(make_integrator(scene, plan, world, lamps, light_passes, camera.pixel_angle())),
       sums_(plan), undivided_{plan.first_band, plan.last_band} {
   if (camera.lens) lens_fan_.emplace(plan, *camera.lens);
@@ -31,9 +38,7 @@ TileRenderer::TileRenderer(const Scene& scene, const Plan& plan, const World& wo
 
 SampleRange PassSamples::of(const Film& film, int x, int y) const {
   if (allocation_.empty()) return all_;
-  const PixelWindow& w = film.window();
-  const auto row = static_cast<std::size_t>(y - w.y0) * static_cast<std::size_t>(w.width());
-  const auto wanted = static_cast<int>(allocation_[row + static_cast<std::size_t>(x - w.x0)]);
+  const auto wanted = static_cast<int>(allocation_[pixel_index(film.window(), x, y)]);
   const auto has = static_cast<int>(film.samples(x, y));
   return {has, has + (std::max(wanted - has, 0) + passes_left_ - 1) / passes_left_};
 }
@@ -115,7 +120,11 @@ void TileRenderer::finish_batch(bool empty, RayCounts& counts) {
 void TileRenderer::trace_sample(const CameraSample& sample, const CameraPaths& start,
                                 RayCounts& counts) {
   sums_.clear();
+  const std::uint64_t before = counts.total();
   integrator_->trace(start, sample.sampler, sums_, counts);
+  if (!pixel_rays_.empty())
+    pixel_rays_[pixel_index(film_.window(), sample.x, sample.y)] +=
+        static_cast<std::uint32_t>(start.count + counts.total() - before);
   bool covered = false;
   for (std::size_t i = 0; i < start.count; ++i)
     covered |= start.hits[i].has_value();

@@ -47,9 +47,11 @@ private:
 /// Renders tiles on one thread.
 class TileRenderer {
 public:
-  /// Keeps references to all; `light_passes` is null where there are none.
+  /// Keeps references to all; `light_passes` is null where there are none. `pixel_rays`, unless it
+  /// is empty, counts the rays of each pixel of the film, row by row.
   TileRenderer(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
-               const LightPasses* light_passes, const PlacedCamera& camera, Film& film);
+               const LightPasses* light_passes, const PlacedCamera& camera, Film& film,
+               std::span<std::uint32_t> pixel_rays);
 
   /// Adds the samples of every pixel of the tile to the film, and their number to `rendered`.
   RayCounts render(const Tile& tile, const PassSamples& samples, RayRecord* record,
@@ -75,6 +77,7 @@ private:
   const World& world_;
   const PlacedCamera& camera_;
   Film& film_;
+  std::span<std::uint32_t> pixel_rays_;
   std::unique_ptr<CameraIntegrator> integrator_;
   RadianceSums sums_;
   std::vector<CameraSample> batch_;
