@@ -1,8 +1,11 @@
 #include "core/noise.h"
+#include "core/tile_renderer.h"
 #include "tests/catch.h"
 #include "tests/render_text.h"
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 using namespace abbe;
 
@@ -93,6 +96,24 @@ TEST_CASE("samples are what was asked for in the mean, and no pixel goes without
     CHECK(counts.most <= 8.0 * std::sqrt(2.0) * samples); // rounded to a power of two
     if (samples >= 8) CHECK(counts.most > counts.least);
   }
+}
+
+TEST_CASE("passes of a round take equal parts of what a pixel is to get") {
+  Film film({5, 6, 7, 8}, 0x1p-40, 0);
+  for (int i = 0; i < 4; ++i)
+    film.add(6, 7, {0.0, 0.0, 0.0}, true, {});
+  const std::vector<std::uint32_t> allocation{0, 0, 0, 14}; // of pixel 6, 7 the last
+  const auto range = [&](int passes_left) {
+    const SampleRange r = PassSamples(allocation, passes_left).of(film, 6, 7);
+    return std::pair(r.first, r.last);
+  };
+  CHECK(range(3) == std::pair(4, 8));
+  CHECK(range(2) == std::pair(4, 9));
+  CHECK(range(1) == std::pair(4, 14));
+  const SampleRange none = PassSamples(allocation, 1).of(film, 5, 6);
+  CHECK(none.last == none.first);
+  const SampleRange same = PassSamples({3, 9}).of(film, 6, 7);
+  CHECK(std::pair(same.first, same.last) == std::pair(3, 9));
 }
 
 TEST_CASE("without adaptive sampling each pixel gets the same") {

@@ -83,14 +83,14 @@ TEST_CASE("samples are in proportion to the error, with a floor") {
   CHECK(noisy / quiet == Approx(1.7 / 0.5).epsilon(0.1));
 }
 
-// The same error of a grey 10 (so r^2 is 100 times larger): a tenth in relation. The mean is 5.5,
-// 0.01 m^2 = 0.3025: variances 0.04 / 1.3025 and 0.04 / 100.3025, shares as 1 to 0.1140.
+// The same error of a grey 100. The mean is 50.5, 0.01 m^2 = 25.5: variances in proportion to
+// 1 / 26.5 and 1 / 10025.5, shares as 1 to 0.0514. (Without the second term as 1 to 0.01.)
 TEST_CASE("errors count in relation to the pixel and to the picture's mean") {
-  const auto grey = [](int x, int) { return x < kWidth / 2 ? 1.0 : 10.0; };
+  const auto grey = [](int x, int) { return x < kWidth / 2 ? 1.0 : 100.0; };
   const Film film = film_of(grey, [&](int x, int y) { return 0.2 * octaves(y) / grey(x, y); });
   const auto samples = allocate_samples(film, equal_rays(), 300.0);
   const double ratio = mean_of(samples, 0, 28) / mean_of(samples, 32, kWidth);
-  CHECK(ratio == Approx((1.0 / 0.557 + 0.1) / (0.114 / 0.557 + 0.1)).epsilon(0.1));
+  CHECK(ratio == Approx((1.0 / 0.5257 + 0.1) / (0.0514 / 0.5257 + 0.1)).epsilon(0.1));
 }
 
 TEST_CASE("what costs four times as much gets half as many samples") {
@@ -154,4 +154,17 @@ TEST_CASE("errors are those of linear red, green and blue") {
   // m = 1.4 / 3, 0.01 m^2 = 0.00218: sqrt(1.00218 / 0.04218) = 4.87 times the share.
   const double ratio = mean_of(samples, 32, kWidth) / mean_of(samples, 0, 28);
   CHECK(ratio == Approx((4.87 / 2.935 + 0.1) / (1.0 / 2.935 + 0.1)).epsilon(0.1));
+}
+
+// On the left red and green err in opposite ways, on the right in the same: the squares are equal.
+TEST_CASE("errors keep their signs on the way from XYZ to red, green and blue") {
+  Film film(kWindow, 0x1p-40, 0, true);
+  for (int y = kWindow.y0; y < kWindow.y1; ++y)
+    for (int x = kWindow.x0; x < kWindow.x1; ++x)
+      for (const double v : {-0.04 * octaves(y - kWindow.y0), 0.04 * octaves(y - kWindow.y0)}) {
+        const double w = x < kWindow.x0 + kWidth / 2 ? -v : v;
+        film.add(x, y, to_xyz(LinearRgb{0.5 + v, 0.5 + w, 0.5}), true, {});
+      }
+  const auto samples = allocate_samples(film, equal_rays(), 200.0);
+  CHECK(mean_of(samples, 0, 28) == Approx(mean_of(samples, 32, kWidth)).epsilon(0.03));
 }
