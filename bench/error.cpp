@@ -11,6 +11,7 @@ RenderSettings reference_settings(RenderSettings settings, const ErrorOptions& o
   settings.exact = true;
   settings.jitter = true;
   settings.samples_per_pixel = options.reference_samples;
+  settings.adaptive = AdaptiveSampling::off;
   settings.noise = settings.seconds = 0.0;
   settings.seed = options.reference_seed;
   return settings;

@@ -9,7 +9,8 @@ namespace abbe::bench {
 namespace {
 
 constexpr const char* kWords =
-    "fan=N, tolerance=PIXELS, cutoff=X, bands=N, noise=X, exact, jitter=on, jitter=off or default";
+    "fan=N, tolerance=PIXELS, cutoff=X, bands=N, noise=X, exact, jitter=on, jitter=off, "
+    "adaptive=on, adaptive=off or default";
 
 template <class T>
 T number(std::string_view word, std::string_view text, T lowest, T highest) {
@@ -40,6 +41,8 @@ void apply(std::string_view word, RenderSettings& s) {
     s.noise = number(word, value, 0.0, 1.0);
   else if (key == "jitter" && (value == "on" || value == "off"))
     s.jitter = value == "on";
+  else if (key == "adaptive" && (value == "on" || value == "off"))
+    s.adaptive = value == "on" ? AdaptiveSampling::on : AdaptiveSampling::off;
   else if (word != "default")
     throw std::invalid_argument(fmt::format("\"{}\" is no variation: {}", word, kWords));
 }

@@ -15,7 +15,7 @@ struct Variation {
 };
 
 /// "default", or words joined by commas: fan=N, tolerance=PIXELS, cutoff=X, bands=N, noise=X,
-/// exact, jitter=on|off. Throws std::invalid_argument for anything else.
+/// exact, jitter=on|off, adaptive=on|off. Throws std::invalid_argument for anything else.
 [[nodiscard]] Variation parse_variation(std::string_view text, const RenderSettings& settings);
 
 } // namespace abbe::bench

@@ -45,11 +45,11 @@ Matrix3 matrix_to(SceneLinearSpace space) {
   return multiply(inverse(rgb_to_xyz_matrix(target.primaries, target.white)), adaptation);
 }
 
-std::vector<float> linear_rgba(const Film& film, SceneLinearSpace space) {
+std::vector<float> linear_rgba(const Film& film, const PixelWindow& part, SceneLinearSpace space) {
   const Matrix3 to_rgb = matrix_to(space);
   std::vector<float> rgba;
-  rgba.reserve(4 * film.window().pixel_count());
-  for_each_pixel(film.window(), [&](int x, int y) {
+  rgba.reserve(4 * part.pixel_count());
+  for_each_pixel(part, [&](int x, int y) {
     const Xyz xyz = film.color(x, y);
     const Vector3 c = multiply(to_rgb, Vector3{xyz.x, xyz.y, xyz.z});
     for (const double v : {c[0], c[1], c[2], film.alpha(x, y)})
@@ -112,6 +112,7 @@ Metadata render_metadata(const Plan& plan) {
   Metadata data{{"abbe/integrator", s.integrator == Integrator::path ? "path" : "whitted"},
                 {"abbe/bands", fmt::format("{}", s.bands)},
                 {"abbe/samples", fmt::format("{}", s.samples_per_pixel)},
+                {"abbe/adaptive", s.adaptive == AdaptiveSampling::on ? "on" : "off"},
                 {"abbe/observer", name(s.observer)},
                 {"abbe/seed", fmt::format("{}", s.seed)},
                 {"abbe/filter", name(s.filter)},
@@ -145,9 +146,9 @@ Metadata display_metadata(const DisplaySettings& settings, Observer observer) {
 }
 
 SceneLinearImage develop_scene_linear(const Film& film, const Plan& plan, SceneLinearSpace space) {
-  SceneLinearImage image{full_window(plan), film.window(), linear_rgba(film, space),
+  SceneLinearImage image{full_window(plan), film.window(), linear_rgba(film, film.window(), space),
                          render_metadata(plan), space};
-  if (!film.keeps_errors()) return image;
+  if (!plan.settings.reports_errors()) return image;
   ImageChannel samples{"samples", {}}, error{"error.Y", {}};
   for_each_pixel(film.window(), [&](int x, int y) {
     samples.values.push_back(static_cast<float>(film.samples(x, y)));
@@ -174,17 +175,22 @@ DisplayImage develop_display(const Film& film, const Plan& plan, const DisplaySe
   return image;
 }
 
-SpectralImage develop_spectral(const Film& film, const Plan& plan) {
+SpectralImage develop_spectral(const Film& film, const Plan& plan, const PixelWindow& part) {
   SpectralImage image{
-      full_window(plan),    film.window(), {}, {}, linear_rgba(film, SceneLinearSpace::rec709),
+      full_window(plan),    part, {}, {}, linear_rgba(film, part, SceneLinearSpace::rec709),
       render_metadata(plan)};
-  image.values.reserve(film.window().pixel_count() * static_cast<std::size_t>(film.bands()));
-  for (int b = 0; b < film.bands(); ++b) {
+  const std::size_t pixels = part.pixel_count();
+  image.values.resize(pixels * static_cast<std::size_t>(film.bands()));
+  for (int b = 0; b < film.bands(); ++b)
     image.wavelengths_nm.push_back(plan.grid.center_nm(b));
-    for_each_pixel(film.window(), [&](int x, int y) {
-      image.values.push_back(static_cast<float>(film.radiance(x, y, b)));
-    });
-  }
+  std::size_t pixel = 0; // outside, as the film's bands of a pixel lie side by side
+  for_each_pixel(part, [&](int x, int y) {
+    for (int b = 0; b < film.bands(); ++b)
+      image.values[static_cast<std::size_t>(b) * pixels + pixel] =
+          static_cast<float>(film.radiance(x, y, b));
+    ++pixel;
+  });
+  film.touched_bands(pixels);
   return image;
 }
 

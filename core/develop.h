@@ -6,16 +6,20 @@
 
 namespace abbe {
 
-/// A film that keeps errors adds two channels: `samples`, how many a pixel has, and `error.Y`, the
-/// standard error of its luminance as `Film::error` estimates it.
+/// Settings that report errors add two channels: `samples`, how many a pixel has, and `error.Y`,
+/// the standard error of its luminance as `Film::error` estimates it.
 [[nodiscard]] SceneLinearImage
 develop_scene_linear(const Film& film, const Plan& plan,
                      SceneLinearSpace space = SceneLinearSpace::rec709);
 /// Throws std::invalid_argument for a white point that cannot be white.
 [[nodiscard]] DisplayImage develop_display(const Film& film, const Plan& plan,
                                            const DisplaySettings& settings);
-/// The film must keep bands.
-[[nodiscard]] SpectralImage develop_spectral(const Film& film, const Plan& plan);
+/// Part of the film's window. The film must keep bands.
+[[nodiscard]] SpectralImage develop_spectral(const Film& film, const Plan& plan,
+                                             const PixelWindow& part);
+[[nodiscard]] inline SpectralImage develop_spectral(const Film& film, const Plan& plan) {
+  return develop_spectral(film, plan, film.window());
+}
 
 /// The settings that made the picture, as name and value. Nothing of the machine, the time or the
 /// number of threads.

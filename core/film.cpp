@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace abbe {
 namespace {
@@ -15,18 +16,27 @@ constexpr double kLargestSteps = 0x1p62;
 /// Splats are added without a lock: so many threads as there may be must fit above kLargestSteps.
 constexpr double kLargestSplat = 0x1p50;
 
+/// What a splat brings into memory of band sums in a file: about a page, whichever it is.
+constexpr std::size_t kTouchedBySplat = 4096 / sizeof(std::int64_t);
+
 std::int64_t steps(double value, double quantum) {
   return std::llround(value / quantum);
 }
 
 } // namespace
 
-Film::Film(PixelWindow window, double quantum, int bands, bool keep_errors)
+Film::Film(PixelWindow window, double quantum, int bands, bool keep_errors, BandPlace place)
     : window_(window), quantum_(quantum), bands_(bands), sums_(3 * window.pixel_count()),
-      first_sums_(keep_errors ? sums_.size() : 0),
-      band_sums_(window.pixel_count() * static_cast<std::size_t>(bands)),
-      counts_(window.pixel_count()), covered_(window.pixel_count()),
+      first_sums_(keep_errors ? sums_.size() : 0), place_(std::move(place)),
+      band_sums_(make_band_sums()), counts_(window.pixel_count()), covered_(window.pixel_count()),
       refused_(window.pixel_count()) {}
+
+FileBackedSums Film::make_band_sums() const {
+  const std::size_t count = window_.pixel_count() * static_cast<std::size_t>(bands_);
+  const bool small = count * sizeof(std::int64_t) <= place_.largest_in_memory;
+  return small || place_.folder.empty() ? FileBackedSums(count)
+                                        : FileBackedSums(count, place_.folder);
+}
 
 bool Film::accept(double value, std::size_t pixel) {
   auto& tally = refused_[pixel];
@@ -62,7 +72,7 @@ void Film::add(int x, int y, const Xyz& color, bool covered, std::span<const flo
 
 void Film::enable_splats() {
   splats_.resize(sums_.size());
-  band_splats_.resize(band_sums_.size());
+  band_splats_ = make_band_sums();
 }
 
 /// Integers may be added in any order. A sum that has come near its end takes no more.
@@ -92,11 +102,7 @@ void Film::add_splat(int x, int y, const Xyz& color, std::span<const float> radi
   round(splats_[3 * pixel + 2], color.z);
   for (std::size_t b = 0; b < static_cast<std::size_t>(bands_); ++b)
     round(band_splats_[pixel * static_cast<std::size_t>(bands_) + b], radiance[b]);
-}
-
-double Film::splat_mean(const std::vector<std::int64_t>& splats, std::size_t i) const {
-  if (splats.empty() || light_passes_ == 0.0) return 0.0;
-  return static_cast<double>(splats[i]) * quantum_ / light_passes_;
+  if (bands_ > 0) band_splats_.touched(kTouchedBySplat);
 }
 
 double Film::mean(std::int64_t sum, std::size_t pixel) const {
@@ -111,6 +117,11 @@ Xyz Film::color(int x, int y) const {
 }
 
 Xyz Film::error(int x, int y) const {
+  const Xyz e = signed_error(x, y);
+  return {std::abs(e.x), std::abs(e.y), std::abs(e.z)};
+}
+
+Xyz Film::signed_error(int x, int y) const {
   const std::size_t p = index(x, y);
   const std::uint32_t n = counts_[p];
   constexpr double unknown = std::numeric_limits<double>::infinity();
@@ -119,7 +130,7 @@ Xyz Film::error(int x, int y) const {
   const auto error = [&](std::size_t i) {
     const auto first = static_cast<double>(first_sums_[i]);
     const double rest = static_cast<double>(sums_[i] - first_sums_[i]);
-    return std::sqrt(a * b) / n * quantum_ * std::abs(first / a - rest / b);
+    return std::sqrt(a * b) / n * quantum_ * (first / a - rest / b);
   };
   return {error(3 * p), error(3 * p + 1), error(3 * p + 2)};
 }

@@ -6,6 +6,7 @@
 #include "core/plan_drops.h"
 #include "core/plan_extent.h"
 #include "core/plan_lines.h"
+#include "core/plan_samples.h"
 #include "core/plan_surfaces.h"
 #include "core/plan_tiles.h"
 #include "spectral/observer.h"
@@ -220,14 +221,16 @@ void note_content(const Scene& scene, Plan& plan) {
                                 count(scene.lights.size(), "lamp", "lamps"),
                                 count(scene.media.size(), "medium", "media"), glasses));
   const RenderSettings& settings = plan.settings;
-  plan.notes.insert(plan.notes.begin(),
-                    fmt::format("{} x {} pixels in {}, {}; {} of {:.3g} nm", plan.window.width(),
-                                plan.window.height(), count(plan.tiles.size(), "tile", "tiles"),
-                                (settings.adaptive() ? "at most " : "") +
-                                    count(static_cast<std::size_t>(settings.samples_per_pixel),
-                                          "sample a pixel", "samples a pixel"),
-                                count(static_cast<std::size_t>(settings.bands), "band", "bands"),
-                                plan.grid.width_nm()));
+  plan.notes.insert(
+      plan.notes.begin(),
+      fmt::format("{} x {} pixels in {}, {}; {} of {:.3g} nm", plan.window.width(),
+                  plan.window.height(), count(plan.tiles.size(), "tile", "tiles"),
+                  (settings.may_end_early() ? "at most " : "") +
+                      count(static_cast<std::size_t>(settings.samples_per_pixel), "sample a pixel",
+                            "samples a pixel") +
+                      (settings.adaptive == AdaptiveSampling::on ? " in the mean" : ""),
+                  count(static_cast<std::size_t>(settings.bands), "band", "bands"),
+                  plan.grid.width_nm()));
   if (settings.noise > 0.0)
     plan.notes.push_back(
         fmt::format("each tile ends at an estimated relative error of {}", settings.noise));
@@ -271,8 +274,7 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
   if (settings.shadows == ShadowRule::automatic)
     plan.settings.shadows =
         settings.integrator == Integrator::path ? ShadowRule::opaque : ShadowRule::attenuated;
-  if (settings.samples_per_pixel == 0)
-    plan.settings.samples_per_pixel = settings.adaptive() ? kMostSamplesPerPixel : kSamplesPerPixel;
+  plan_samples(plan.settings);
   plan.grid = BandGrid(settings.bands);
   plan.stride = padded_band_count(settings.bands);
 

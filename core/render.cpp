@@ -5,6 +5,8 @@
 #include "core/lights/lamps.h"
 #include "core/noise.h"
 #include "core/progress_meter.h"
+#include "core/sample_allocation.h"
+#include "core/sample_schedule.h"
 #include "core/tile_renderer.h"
 
 #include <tbb/blocked_range.h>
@@ -14,32 +16,13 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <bit>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace abbe {
 namespace {
-
-/// Samples of a pixel are rendered in passes, so that a stopped picture is noisy but whole.
-constexpr int kSamplesPerPass = 16;
-
-/// Where the pass that begins after `done` samples ends. Time that is running out must leave a
-/// whole picture, so the first passes are then short.
-int end_of_pass(int done, const RenderSettings& settings) {
-  const bool hurry = settings.seconds > 0.0 && done < kSamplesPerPass;
-  const int pass = hurry ? std::max(done, 1) : kSamplesPerPass;
-  return std::min(done + pass, settings.samples_per_pixel);
-}
-
-/// True for 16, 32, 64 ... and halfway between, the numbers of samples at which tiles may be done.
-/// Asked more often, more tiles would end by luck; docs/decisions/noise.md has figures.
-bool may_end(int samples) {
-  const auto n = static_cast<unsigned>(samples);
-  return n >= kSamplesPerPass &&
-         (std::has_single_bit(n) || (n % 3 == 0 && std::has_single_bit(n / 3)));
-}
 
 /// A tile that is not done yet.
 struct OpenTile {
@@ -56,15 +39,23 @@ int expected_samples(double error, int n, const RenderSettings& settings) {
   return static_cast<int>(std::min(std::max(expected, n + 1.0), most));
 }
 
+/// By how many samples an allocation misses `mean` samples a pixel.
+double more_than(const std::vector<std::uint32_t>& allocation, int mean) {
+  const auto total = std::accumulate(allocation.begin(), allocation.end(), std::uint64_t{0});
+  return static_cast<double>(total) -
+         static_cast<double>(mean) * static_cast<double>(allocation.size());
+}
+
 } // namespace
 
-Rendering render(const Scene& scene, const Plan& plan, const World& world, bool keep_bands,
+Rendering render(const Scene& scene, const Plan& plan, const World& world, const KeepBands& bands,
                  const ProgressCallback& progress, const std::atomic<bool>& stop,
                  RayRecord* record) {
   const RenderSettings& settings = plan.settings;
+  const SampleSchedule schedule(settings);
   const int most = settings.samples_per_pixel;
-  Rendering result{Film(plan.window, plan.quantum, keep_bands ? plan.grid.count() : 0,
-                        settings.keep_errors || settings.adaptive())};
+  Rendering result{Film(plan.window, plan.quantum, bands.keep ? plan.grid.count() : 0,
+                        settings.needs_errors(), bands.place)};
   const PlacedCamera camera(scene, settings, world);
   const Lamps lamps(scene, plan);
   LightPasses light_passes(scene, plan, world, camera.pinhole() ? &camera.rays : nullptr,
@@ -77,6 +68,8 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
                                     static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
 
+  std::vector<std::uint32_t> pixel_rays; // row by row, where adaptive sampling asks for them
+  if (settings.adaptive == AdaptiveSampling::on) pixel_rays.resize(plan.window.pixel_count());
   std::vector<OpenTile> open;
   for (const Tile& tile : plan.tiles)
     open.push_back({&tile, most});
@@ -85,35 +78,50 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
   };
   // Renders one pass of a tile and decides by its pixels alone whether it is done: the same bytes
   // on any number of threads.
-  const auto advance = [&](OpenTile& tile, SampleRange samples, TileRenderer& renderer) {
+  const auto advance = [&](OpenTile& tile, const PassSamples& samples, int last,
+                           TileRenderer& renderer) {
     const PixelWindow& window = tile.tile->window;
     const auto pixels = static_cast<double>(window.pixel_count());
-    const RayCounts rays = renderer.render(*tile.tile, samples, record);
+    std::uint64_t done = 0;
+    const RayCounts rays = renderer.render(*tile.tile, samples, record, done);
+    if (done > 0) result.film.touched_bands(window.pixel_count());
     const int expected = tile.expected;
-    tile.expected = std::max(expected, samples.last);
-    if (settings.noise > 0.0 && (may_end(samples.last) || samples.last == most)) {
+    tile.expected = std::max(expected, last);
+    if (settings.noise > 0.0 && (schedule.may_end(last) || last == most)) {
       const double error = relative_error(result.film, window);
       tile.done = error <= settings.noise;
-      tile.expected = tile.done ? samples.last : expected_samples(error, samples.last, settings);
+      tile.expected = tile.done ? last : expected_samples(error, last, settings);
     }
-    meter.step(rays, pixels * (samples.last - samples.first), pixels * (tile.expected - expected));
+    meter.step(rays, static_cast<double>(done), pixels * (tile.expected - expected));
   };
 
-  int done = 0, pass = 0;
+  int done = 0, round_end = schedule.end_of_round(0);
+  int light_pass = 0, light_done = 0;    // there are light paths for so many samples
+  std::vector<std::uint32_t> allocation; // empty: all pixels get the same
   while (done < most && !open.empty()) {
-    const SampleRange samples{done, end_of_pass(done, settings)};
+    if (done == round_end) {
+      round_end = schedule.end_of_round(done);
+      arena.execute([&] { allocation = allocate_samples(result.film, pixel_rays, round_end); });
+      if (round_end == most) meter.step({}, 0.0, more_than(allocation, most));
+    }
+    const int last = schedule.end_of_pass(done, round_end);
+    const PassSamples samples = allocation.empty()
+                                    ? PassSamples({done, last})
+                                    : PassSamples(allocation, schedule.passes(done, round_end));
     std::atomic<std::size_t> rendered = 0;
     arena.execute([&] {
-      if (light_passes.needed())
-        meter.add(light_passes.run(pass++, samples.last - done, stop, record));
+      if (light_passes.needed() && done >= light_done) {
+        light_done = schedule.end_of_light_pass(done, last);
+        meter.add(light_passes.run(light_pass++, light_done - done, stop, record));
+      }
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, open.size(), 1),
                         [&](const tbb::blocked_range<std::size_t>& range) {
                           const DenormalsOff denormals_off;
                           TileRenderer renderer(scene, plan, world, lamps,
                                                 light_passes.needed() ? &light_passes : nullptr,
-                                                camera, result.film);
+                                                camera, result.film, pixel_rays);
                           for (std::size_t i = range.begin(); i < range.end() && !ends(done); ++i) {
-                            advance(open[i], samples, renderer);
+                            advance(open[i], samples, last, renderer);
                             ++rendered;
                           }
                         });
@@ -121,7 +129,7 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, bool 
     const bool whole = rendered == open.size();
     std::erase_if(open, [](const OpenTile& tile) { return tile.done; });
     if (!whole) break;
-    done = samples.last;
+    done = last;
   }
   result.rays = meter.rays();
   result.seconds = meter.seconds();

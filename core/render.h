@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <functional>
+#include <utility>
 
 namespace abbe {
 
@@ -28,13 +29,21 @@ struct Rendering {
   std::size_t open_tiles = 0; ///< that did not reach `RenderSettings::noise`
 };
 
+/// Whether the film keeps every band besides XYZ, and where.
+struct KeepBands {
+  KeepBands(bool yes) : keep(yes) {} // NOLINT: render(..., false, ...) says enough
+  explicit KeepBands(BandPlace where) : keep(true), place(std::move(where)) {}
+
+  bool keep;
+  BandPlace place = {};
+};
+
 /// Renders the planned window: every pixel with all samples, or each tile until its noise or all of
 /// it until its time says enough, see `RenderSettings`. The film keeps errors where the settings
-/// need or ask for them. `keep_bands` makes the film keep every band besides XYZ. Setting
-/// `stop` from anywhere ends the rendering soon; what is done is returned. `record`, for
-/// measurements, gets all rays; it needs settings with one thread.
+/// need or ask for them. Setting `stop` from anywhere ends the rendering soon; what is done is
+/// returned. `record`, for measurements, gets all rays; it needs settings with one thread.
 [[nodiscard]] Rendering render(const Scene& scene, const Plan& plan, const World& world,
-                               bool keep_bands, const ProgressCallback& progress,
+                               const KeepBands& bands, const ProgressCallback& progress,
                                const std::atomic<bool>& stop, RayRecord* record = nullptr);
 
 } // namespace abbe

@@ -25,11 +25,17 @@ enum class ShadowRule : std::uint8_t { none, opaque, attenuated, automatic };
 /// `automatic`: from all lamps that can send out light paths; `on`: an error where one cannot.
 enum class Caustics : std::uint8_t { automatic, on, off };
 
+/// Whether a pixel gets the more samples the noisier it is, instead of each the same number.
+/// `automatic`: where it is known to pay, see docs/decisions/noise.md.
+enum class AdaptiveSampling : std::uint8_t { automatic, on, off };
+
 /// The reconstruction filter, sampled in proportion to its value; `gaussian` has a standard
 /// deviation of half a pixel and ends at 1.5 pixels, `tent` ends at 1, `box` at half a pixel.
 enum class PixelFilter : std::uint8_t { box, tent, gaussian };
 
 inline constexpr int kSamplesPerPixel = 16, kMostSamplesPerPixel = 4096;
+/// Adaptive sampling is `automatic` with fewer samples: errors are then hardly known.
+inline constexpr int kLeastAdaptiveSamples = 8;
 
 /// Everything about a rendering that is not the scene itself. A scene file may set it, the command
 /// line overrides it.
@@ -38,12 +44,14 @@ struct RenderSettings {
   std::optional<PixelWindow> crop; ///< only these pixels are rendered
   int bands = 81;
   Observer observer = Observer::cie1931_2deg; ///< whose eye makes colours of the bands
-  /// The most that a pixel gets. 0, which is never in a plan, stands for `kSamplesPerPixel`, or for
-  /// `kMostSamplesPerPixel` where noise or time says when to stop.
+  /// What a pixel gets, with `adaptive` in the mean, with noise the most. 0, which is never in a
+  /// plan, stands for `kSamplesPerPixel`, or for `kMostSamplesPerPixel` where noise or time says
+  /// when to stop.
   int samples_per_pixel = 0;
-  double noise = 0.0;       ///< a tile is done when its `relative_error` is at most this; 0: never
-  double seconds = 0.0;     ///< the rendering ends after this time; 0: never
-  bool keep_errors = false; ///< errors are estimated, even if neither noise nor time ends it
+  double noise = 0.0;   ///< a tile is done when its `relative_error` is at most this; 0: never
+  double seconds = 0.0; ///< the rendering ends after this time; 0: never
+  AdaptiveSampling adaptive = AdaptiveSampling::automatic; ///< in a plan `on` or `off`
+  bool keep_errors = false; ///< errors are told, even if neither noise nor time ends it
   std::uint64_t seed = 0;
   Integrator integrator = Integrator::whitted;
   PixelFilter filter = PixelFilter::gaussian;
@@ -63,8 +71,14 @@ struct RenderSettings {
   double tolerance_pixels = 0.25; ///< bands share a ray while their spread is below this
   int max_fan = 4;                ///< at most so many sub-bundles of one path are followed
 
-  /// True where pixels may end with different numbers of samples.
-  [[nodiscard]] bool adaptive() const { return noise > 0.0 || seconds > 0.0; }
+  /// True where something else than the number of samples may end the rendering.
+  [[nodiscard]] bool may_end_early() const { return noise > 0.0 || seconds > 0.0; }
+  /// True where errors are written with the picture.
+  [[nodiscard]] bool reports_errors() const { return keep_errors || may_end_early(); }
+  /// True in a plan whose film must keep errors.
+  [[nodiscard]] bool needs_errors() const {
+    return reports_errors() || adaptive == AdaptiveSampling::on;
+  }
 
   int threads = 0;  ///< 0: one per processor
   bool skip = true; ///< leave out what the plan finds to be without effect

@@ -18,27 +18,45 @@ std::unique_ptr<CameraIntegrator> make_integrator(const Scene& scene, const Plan
   return std::make_unique<Whitted>(scene, plan, world, lamps, pixel_angle);
 }
 
+/// Row by row.
+std::size_t pixel_index(const PixelWindow& window, int x, int y) {
+  return static_cast<std::size_t>(y - window.y0) * static_cast<std::size_t>(window.width()) +
+         static_cast<std::size_t>(x - window.x0);
+}
+
 } // namespace
 
 TileRenderer::TileRenderer(const Scene& scene, const Plan& plan, const World& world,
                            const Lamps& lamps, const LightPasses* light_passes,
-                           const PlacedCamera& camera, Film& film)
-    : plan_(plan), world_(world), camera_(camera), film_(film),
+                           const PlacedCamera& camera, Film& film,
+                           std::span<std::uint32_t> pixel_rays)
+    : plan_(plan), world_(world), camera_(camera), film_(film), pixel_rays_(pixel_rays),
       integrator_(make_integrator(scene, plan, world, lamps, light_passes, camera.pixel_angle())),
       sums_(plan), undivided_{plan.first_band, plan.last_band} {
   if (camera.lens) lens_fan_.emplace(plan, *camera.lens);
 }
 
-RayCounts TileRenderer::render(const Tile& tile, SampleRange samples, RayRecord* record) {
+SampleRange PassSamples::of(const Film& film, int x, int y) const {
+  if (allocation_.empty()) return all_;
+  const auto wanted = static_cast<int>(allocation_[pixel_index(film.window(), x, y)]);
+  const auto has = static_cast<int>(film.samples(x, y));
+  return {has, has + (std::max(wanted - has, 0) + passes_left_ - 1) / passes_left_};
+}
+
+RayCounts TileRenderer::render(const Tile& tile, const PassSamples& samples, RayRecord* record,
+                               std::uint64_t& rendered) {
   RayCounts counts;
   counts.record = record;
   const PixelWindow& w = tile.window;
   for (int y = w.y0; y < w.y1; ++y)
-    for (int x = w.x0; x < w.x1; ++x)
-      for (int s = samples.first; s < samples.last; ++s) {
+    for (int x = w.x0; x < w.x1; ++x) {
+      const SampleRange range = samples.of(film_, x, y);
+      rendered += static_cast<std::uint64_t>(range.last - range.first);
+      for (int s = range.first; s < range.last; ++s) {
         batch_.push_back({x, y, Sampler(x, y, static_cast<std::uint32_t>(s), plan_.settings.seed)});
         if (batch_.size() == kPacketWidth) finish_batch(tile.empty, counts);
       }
+    }
   finish_batch(tile.empty, counts);
   return counts;
 }
@@ -103,7 +121,11 @@ void TileRenderer::finish_batch(bool empty, RayCounts& counts) {
 void TileRenderer::trace_sample(const CameraSample& sample, const CameraPaths& start,
                                 RayCounts& counts) {
   sums_.clear();
+  const std::uint64_t before = counts.total();
   integrator_->trace(start, sample.sampler, sums_, counts);
+  if (!pixel_rays_.empty())
+    pixel_rays_[pixel_index(film_.window(), sample.x, sample.y)] +=
+        static_cast<std::uint32_t>(start.count + counts.total() - before);
   bool covered = false;
   for (std::size_t i = 0; i < start.count; ++i)
     covered |= start.hits[i].met();

@@ -16,24 +16,46 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace abbe {
 
-/// Which samples of each pixel are to be rendered: [first, last).
+/// Samples [first, last) of a pixel.
 struct SampleRange {
   int first, last;
+};
+
+/// Which samples of each pixel one pass renders.
+class PassSamples {
+public:
+  /// The same of all pixels.
+  explicit PassSamples(SampleRange all) : all_(all) {}
+  /// Those that bring pixels to a number of their own, row by row of the film's window, in
+  /// `passes_left` passes that take equal parts. Keeps a reference.
+  PassSamples(std::span<const std::uint32_t> allocation, int passes_left)
+      : allocation_(allocation), passes_left_(passes_left) {}
+
+  [[nodiscard]] SampleRange of(const Film& film, int x, int y) const;
+
+private:
+  SampleRange all_{0, 0};
+  std::span<const std::uint32_t> allocation_; ///< empty for `all_`
+  int passes_left_ = 1;
 };
 
 /// Renders tiles on one thread.
 class TileRenderer {
 public:
-  /// Keeps references to all; `light_passes` is null where there are none.
+  /// Keeps references to all; `light_passes` is null where there are none. `pixel_rays`, unless it
+  /// is empty, counts the rays of each pixel of the film, row by row.
   TileRenderer(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
-               const LightPasses* light_passes, const PlacedCamera& camera, Film& film);
+               const LightPasses* light_passes, const PlacedCamera& camera, Film& film,
+               std::span<std::uint32_t> pixel_rays);
 
-  /// Adds the samples of every pixel of the tile to the film.
-  RayCounts render(const Tile& tile, SampleRange samples, RayRecord* record);
+  /// Adds the samples of every pixel of the tile to the film, and their number to `rendered`.
+  RayCounts render(const Tile& tile, const PassSamples& samples, RayRecord* record,
+                   std::uint64_t& rendered);
 
 private:
   static constexpr std::size_t kPacketWidth = 16;
@@ -55,6 +77,7 @@ private:
   const World& world_;
   const PlacedCamera& camera_;
   Film& film_;
+  std::span<std::uint32_t> pixel_rays_;
   std::unique_ptr<CameraIntegrator> integrator_;
   RadianceSums sums_;
   std::vector<CameraSample> batch_;

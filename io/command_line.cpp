@@ -96,6 +96,13 @@ void add_settings(CLI::App& app, SettingsOverride& s) {
          "Sample each tile until its estimated relative error is at most this, such as 0.05 "
          "(default 0: all samples)")
       ->check(number_from(0.0, 1.0));
+  add_choice<AdaptiveSampling>(
+      app, "--adaptive", s.adaptive,
+      {{"on", AdaptiveSampling::on},
+       {"off", AdaptiveSampling::off},
+       {"automatic", AdaptiveSampling::automatic}},
+      "Pixels get the more samples the noisier they are, --spp in the mean (default automatic: "
+      "with 8 or more, unless --noise)");
   app.add_option("--time", s.seconds,
                  "End after so many seconds of rendering; the same bytes are not promised then")
       ->check(number_from(0.0, 1e9))
@@ -259,6 +266,7 @@ RenderSettings overridden(RenderSettings s, const SettingsOverride& given) {
   replace(s.samples_per_pixel, given.samples_per_pixel);
   replace(s.noise, given.noise);
   replace(s.seconds, given.seconds);
+  replace(s.adaptive, given.adaptive);
   replace(s.keep_errors, given.keep_errors);
   replace(s.max_depth, given.max_depth);
   replace(s.max_fan, given.max_fan);

@@ -23,6 +23,7 @@ struct SettingsOverride {
   std::optional<ShadowRule> shadows;
   std::optional<Caustics> caustics;
   std::optional<Observer> observer;
+  std::optional<AdaptiveSampling> adaptive;
   std::optional<bool> keep_errors, exact, jitter, skip;
   std::optional<Tracing> tracing;
 };

@@ -1,16 +1,19 @@
 #include "core/develop.h"
 #include "core/render.h"
-#include "io/atomic_file.h"
 #include "io/command_line.h"
 #include "io/interrupt.h"
 #include "io/list.h"
 #include "io/progress.h"
 #include "io/read_scene.h"
+#include "io/write_exr.h"
+#include "io/write_image.h"
 
 #include <fmt/format.h>
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <set>
 
 namespace {
@@ -66,20 +69,36 @@ void check_outputs(const std::vector<fs::path>& outputs, const std::optional<fs:
   }
 }
 
+/// Where the sums of all bands go when they are large.
+BandPlace band_place(const fs::path& spectral) {
+  if (const char* folder = std::getenv("TMPDIR"); folder != nullptr && *folder != '\0')
+    return {folder};
+  return {spectral.has_parent_path() ? spectral.parent_path() : "."};
+}
+
+/// Each kind of picture is there only while its files are written.
 void write_outputs(const Rendering& rendering, const Plan& plan, const Options& options,
                    const DisplaySettings& display_settings, const std::vector<fs::path>& outputs) {
-  const SceneLinearImage scene_linear =
-      develop_scene_linear(rendering.film, plan, options.output.exr_space);
-  const DisplayImage display = develop_display(rendering.film, plan, display_settings);
-  for (const fs::path& path : outputs) {
-    write_image(path, scene_linear, display, options.output);
+  const auto wrote = [&](const fs::path& path) {
     if (!options.quiet) fmt::print("wrote {}\n", path.string());
-  }
+  };
+  const auto write_all = [&](bool scene_linear, const SceneLinearImage& linear,
+                             const DisplayImage& display) {
+    for (const fs::path& path : outputs) {
+      if (is_scene_linear_extension(path) != scene_linear) continue;
+      write_image(path, linear, display, options.output);
+      wrote(path);
+    }
+  };
+  if (std::ranges::any_of(outputs, is_scene_linear_extension))
+    write_all(true, develop_scene_linear(rendering.film, plan, options.output.exr_space), {});
+  if (!std::ranges::all_of(outputs, is_scene_linear_extension))
+    write_all(false, {}, develop_display(rendering.film, plan, display_settings));
   if (!options.spectral_output) return;
-  const SpectralImage spectral = develop_spectral(rendering.film, plan);
-  replace_file(*options.spectral_output,
-               [&](const fs::path& temporary) { write_spectral_exr(temporary, spectral); });
-  if (!options.quiet) fmt::print("wrote {}\n", options.spectral_output->string());
+  write_spectral_exr(
+      *options.spectral_output, rendering.film.window(),
+      [&](const PixelWindow& rows) { return develop_spectral(rendering.film, plan, rows); });
+  wrote(*options.spectral_output);
 }
 
 int render_command(const Options& options) {
@@ -93,7 +112,8 @@ int render_command(const Options& options) {
 
   Progress progress(options.quiet);
   const Rendering rendering = render(
-      scene, plan, world, options.spectral_output.has_value(),
+      scene, plan, world,
+      options.spectral_output ? KeepBands(band_place(*options.spectral_output)) : KeepBands(false),
       [&](const RenderProgress& p) { progress.tell(p); }, stop);
   progress.finish();
   if (!options.quiet) fmt::print("{}\n", summary(rendering));

@@ -62,6 +62,13 @@ void read_noise(SceneState& state, Arguments& arguments) {
   state.scene.settings.noise = arguments.number({"a relative error", 0.0, 1.0});
 }
 
+void read_adaptive(SceneState& state, Arguments& arguments) {
+  state.scene.settings.adaptive =
+      arguments.choice<AdaptiveSampling>({{"on", AdaptiveSampling::on},
+                                          {"off", AdaptiveSampling::off},
+                                          {"automatic", AdaptiveSampling::automatic}});
+}
+
 void read_bands(SceneState& state, Arguments& arguments) {
   constexpr Range kCount{"a number of bands", 1.0, BandGrid::kMaxCount};
   state.scene.settings.bands = static_cast<int>(arguments.whole_number(kCount));
@@ -106,6 +113,7 @@ constexpr std::array kKeywords{
     SceneKeyword{"crop x0 y0 x1 y1", read_crop},
     SceneKeyword{"samples n", read_samples},
     SceneKeyword{"noise x", read_noise},
+    SceneKeyword{"adaptive on|off|automatic", read_adaptive},
     SceneKeyword{"bands n", read_bands},
     SceneKeyword{"seed n", read_seed},
     SceneKeyword{"integrator whitted|path", read_integrator},

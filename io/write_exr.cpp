@@ -20,6 +20,7 @@
 #include <cerrno>
 #include <cmath>
 #include <fstream>
+#include <span>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -58,28 +59,28 @@ Imf::Header make_header(const PixelWindow& display, const PixelWindow& data,
   return header;
 }
 
-/// The header's channels and where their pixels are.
+/// The header's channels and where the pixels of some rows are.
 struct Channels {
   Imf::Header& header;
-  Imf::FrameBuffer frame;
+  PixelWindow rows; ///< the part of the data window whose pixels are given
+  Imf::FrameBuffer frame = {};
 
-  /// `first` is the channel's value in the upper left pixel of the data window; `stride` is the
-  /// number of values from one pixel to the next.
+  /// `first` is the channel's value in the upper left pixel of the rows; `stride` is the number of
+  /// values from one pixel to the next.
   template <class Value>
   void add(const std::string& name, const Value* first, std::size_t stride) {
     constexpr Imf::PixelType type = sizeof(Value) == sizeof(float) ? Imf::FLOAT : Imf::HALF;
-    const Imath::Box2i& window = header.dataWindow();
-    const std::size_t width = static_cast<std::size_t>(window.size().x) + 1;
+    const auto width = static_cast<std::size_t>(rows.width());
     header.channels().insert(name, Imf::Channel(type));
-    frame.insert(name, Imf::Slice::Make(type, first, window, stride * sizeof(Value),
+    frame.insert(name, Imf::Slice::Make(type, first, inclusive(rows), stride * sizeof(Value),
                                         width * stride * sizeof(Value)));
   }
 
   template <class Value>
-  void add_rgba(const std::vector<Value>& rgba) {
+  void add_rgba(const Value* rgba) {
     constexpr std::array names = {"R", "G", "B", "A"};
     for (std::size_t c = 0; c < names.size(); ++c)
-      add(names[c], rgba.data() + c, names.size());
+      add(names[c], rgba + c, names.size());
   }
 };
 
@@ -98,23 +99,42 @@ private:
   int before_ = Imf::globalThreadCount();
 };
 
+/// Rows of a picture that go to a file together.
+struct RowBlock {
+  Imf::FrameBuffer frame;
+  int rows;
+};
+
 /// Our own stream: OpenEXR's writes its last bytes in a destructor, which hides a full disk.
-/// `target` is the name in OpenEXR's messages, `temporary` the file.
+/// `target` is the name in OpenEXR's messages, `temporary` the file. `channels_of` is asked for the
+/// picture's rows from the top, `rows` at a time; when it is asked first, it completes the header.
+template <class ChannelsOf>
 void save(const std::filesystem::path& target, const std::filesystem::path& temporary,
-          const Channels& channels, int rows) {
+          const Imf::Header& header, const PixelWindow& data, int rows,
+          const ChannelsOf& channels_of) {
+  const auto block_at = [&](int y) {
+    return channels_of(PixelWindow{data.x0, y, data.x1, std::min(y + rows, data.y1)});
+  };
+  RowBlock block = block_at(data.y0);
   std::ofstream file(temporary, std::ios::binary);
   if (!file) throw std::system_error(errno, std::generic_category());
   {
     Imf::StdOFStream stream(file, target.filename().c_str());
-    Imf::OutputFile output(stream, channels.header);
-    output.setFrameBuffer(channels.frame);
-    output.writePixels(rows);
+    Imf::OutputFile output(stream, header);
+    for (int y = data.y0; y < data.y1; y += rows) {
+      if (y > data.y0) block = block_at(y);
+      output.setFrameBuffer(block.frame);
+      output.writePixels(block.rows);
+    }
   }
   file.close();
   if (!file) throw std::runtime_error("the file could not be completed (is the disk full?)");
 }
 
-std::vector<Imath::half> to_half(const std::vector<float>& values) {
+/// OpenEXR deflates so many rows together; each thread takes such a block.
+constexpr int kRowsPerDeflate = 16;
+
+std::vector<Imath::half> to_half(std::span<const float> values) {
   constexpr float largest = 65504.0f; // (2 - 2^-10) 2^15, the largest finite half (IEEE 754)
   std::vector<Imath::half> halves;
   halves.reserve(values.size());
@@ -135,42 +155,55 @@ std::string spectral_channel_name(double wavelength_nm) {
 void write_exr(const std::filesystem::path& path, const SceneLinearImage& image, ExrPixel pixel) {
   replace_file(path, [&](const std::filesystem::path& temporary) {
     require_pixels(image.display, image.data, image.rgba.size(), 4);
-    Imf::Header header = make_header(image.display, image.data, image.metadata, image.space);
-    Channels channels{header, {}};
-    std::vector<Imath::half> halves;
-    switch (pixel) {
-    case ExrPixel::half:
-      halves = to_half(image.rgba);
-      channels.add_rgba(halves);
-      break;
-    case ExrPixel::single:
-      channels.add_rgba(image.rgba);
-      break;
-    }
-    for (const ImageChannel& channel : image.channels) {
+    for (const ImageChannel& channel : image.channels)
       require_pixels(image.display, image.data, channel.values.size(), 1);
-      channels.add(channel.name, channel.values.data(), 1);
-    }
-    save(path, temporary, channels, image.data.height());
+    Imf::Header header = make_header(image.display, image.data, image.metadata, image.space);
+    std::vector<Imath::half> halves;
+    const auto channels_of = [&](const PixelWindow& rows) {
+      const auto first = static_cast<std::size_t>(rows.y0 - image.data.y0) *
+                         static_cast<std::size_t>(rows.width());
+      Channels channels{header, rows};
+      switch (pixel) {
+      case ExrPixel::half:
+        halves = to_half({image.rgba.data() + 4 * first, 4 * rows.pixel_count()});
+        channels.add_rgba(halves.data());
+        break;
+      case ExrPixel::single:
+        channels.add_rgba(image.rgba.data() + 4 * first);
+        break;
+      }
+      for (const ImageChannel& channel : image.channels)
+        channels.add(channel.name, channel.values.data() + first, 1);
+      return RowBlock{channels.frame, rows.height()};
+    };
+    save(path, temporary, header, image.data, kRowsPerDeflate, channels_of);
   });
 }
 
-void write_spectral_exr(const std::filesystem::path& path, const SpectralImage& image) {
+void write_spectral_exr(const std::filesystem::path& path, const PixelWindow& data,
+                        const std::function<SpectralImage(const PixelWindow& rows)>& develop) {
   replace_file(path, [&](const std::filesystem::path& temporary) {
-    require_pixels(image.display, image.data, image.rgba.size(), 4);
-    require_pixels(image.display, image.data, image.values.size(), image.wavelengths_nm.size());
-    Imf::Header header =
-        make_header(image.display, image.data, image.metadata, SceneLinearSpace::rec709);
+    require_pixels(data, data, 4 * data.pixel_count(), 4);
+    SpectralImage image = develop({data.x0, data.y0, data.x1, data.y0 + 1});
+    Imf::Header header = make_header(image.display, data, image.metadata, SceneLinearSpace::rec709);
     header.insert("spectralLayoutVersion", Imf::StringAttribute("1.0"));
     header.insert("emissiveUnits", Imf::StringAttribute("W.m^-2.sr^-1"));
     header.insert("EV", Imf::FloatAttribute(0.0f));
-    Channels channels{header, {}};
-    channels.add_rgba(image.rgba);
-    for (std::size_t band = 0; band < image.wavelengths_nm.size(); ++band)
-      channels.add(spectral_channel_name(image.wavelengths_nm[band]),
-                   image.values.data() + band * image.data.pixel_count(), 1);
     const DeflateThreads threads;
-    save(path, temporary, channels, image.data.height());
+    // A block for each thread, but no more than 8: 160 MiB at a width of 3840 and 81 bands.
+    const int rows = kRowsPerDeflate * std::clamp(Imf::globalThreadCount(), 1, 8);
+    const auto channels_of = [&](const PixelWindow& part) {
+      image = develop(part);
+      require_pixels(image.display, part, image.rgba.size(), 4);
+      require_pixels(image.display, part, image.values.size(), image.wavelengths_nm.size());
+      Channels channels{header, part};
+      channels.add_rgba(image.rgba.data());
+      for (std::size_t band = 0; band < image.wavelengths_nm.size(); ++band)
+        channels.add(spectral_channel_name(image.wavelengths_nm[band]),
+                     image.values.data() + band * part.pixel_count(), 1);
+      return RowBlock{channels.frame, part.height()};
+    };
+    save(path, temporary, header, data, rows, channels_of);
   });
 }
 

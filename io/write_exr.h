@@ -3,6 +3,7 @@
 #include "core/image.h"
 
 #include <filesystem>
+#include <functional>
 
 namespace abbe {
 
@@ -26,6 +27,10 @@ void write_exr(const std::filesystem::path& path, const SceneLinearImage& image,
 /// `emissiveUnits` is the only string that readers accept; our bands are spectral densities, of the
 /// unit that `SpectralImage` names.
 /// Errors: as `write_exr`.
-void write_spectral_exr(const std::filesystem::path& path, const SpectralImage& image);
+///
+/// `develop` gives some rows of the picture, whose pixels are those of `data`; it is asked for a
+/// few rows at a time, so that the whole picture's bands are never there at once.
+void write_spectral_exr(const std::filesystem::path& path, const PixelWindow& data,
+                        const std::function<SpectralImage(const PixelWindow& rows)>& develop);
 
 } // namespace abbe

@@ -15,6 +15,7 @@ namespace {
 /// One row of the table of writers.
 struct OutputFormat {
   std::string_view extension; ///< lower case, with its dot
+  bool scene_linear;          ///< which of the two pictures it takes
   void (*write)(const std::filesystem::path&, const SceneLinearImage&, const DisplayImage&,
                 const OutputOptions&);
 };
@@ -36,10 +37,10 @@ void write_as_png(const std::filesystem::path& path, const SceneLinearImage&,
 
 // Each writer goes through replace_file itself, so that none can be called without it.
 constexpr std::array output_formats = {
-    OutputFormat{".exr", write_as_exr},
-    OutputFormat{".tif", write_as_tiff},
-    OutputFormat{".tiff", write_as_tiff},
-    OutputFormat{".png", write_as_png},
+    OutputFormat{".exr", true, write_as_exr},
+    OutputFormat{".tif", false, write_as_tiff},
+    OutputFormat{".tiff", false, write_as_tiff},
+    OutputFormat{".png", false, write_as_png},
 };
 
 /// The row for the path, or null. Only ASCII letters have two cases here, in any locale.
@@ -55,6 +56,11 @@ const OutputFormat* find_format(const std::filesystem::path& path) {
 
 bool is_known_image_extension(const std::filesystem::path& path) {
   return find_format(path) != nullptr;
+}
+
+bool is_scene_linear_extension(const std::filesystem::path& path) {
+  const OutputFormat* format = find_format(path);
+  return format != nullptr && format->scene_linear;
 }
 
 std::string known_image_extensions() {

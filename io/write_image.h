@@ -20,6 +20,10 @@ struct OutputOptions {
 /// True when `write_image` has a writer for the extension of the path, whatever its case.
 [[nodiscard]] bool is_known_image_extension(const std::filesystem::path& path);
 
+/// True when `write_image` writes the scene-linear picture under this extension, and needs no
+/// other.
+[[nodiscard]] bool is_scene_linear_extension(const std::filesystem::path& path);
+
 /// ".exr, .tif, .tiff or .png", for messages and help.
 [[nodiscard]] std::string known_image_extensions();
 

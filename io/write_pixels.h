@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <stdexcept>
-#include <vector>
 
 namespace abbe {
 
@@ -22,17 +22,15 @@ inline void require_pixels(const PixelWindow& display, const PixelWindow& data,
 }
 
 /// The nearest of the integers 0 ... max of `Code` for each value in [0, 1], ties upwards, without
-/// dithering. Values outside are clamped; NaN gives 0.
+/// dithering. Values outside are clamped; NaN gives 0. A picture's rows are coded one by one, as
+/// they are written.
 template <class Code>
-[[nodiscard]] std::vector<Code> code_values(const std::vector<float>& values) {
+void code_values(std::span<const float> values, Code* codes) {
   constexpr double max = std::numeric_limits<Code>::max();
-  std::vector<Code> codes;
-  codes.reserve(values.size());
   for (const float value : values) {
     const double unit = value > 0.0f ? std::fmin(value, 1.0) : 0.0;
-    codes.push_back(static_cast<Code>(unit * max + 0.5));
+    *codes++ = static_cast<Code>(unit * max + 0.5);
   }
-  return codes;
 }
 
 } // namespace abbe

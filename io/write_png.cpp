@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -64,7 +65,9 @@ public:
 struct PngPicture {
   PixelWindow display, data;
   int bits;
-  png_const_bytep bytes;
+  const float* values; ///< interleaved R, G, B, row by row
+  void (*encode)(std::span<const float> values, png_bytep row);
+  png_bytep row; ///< room for one
   std::vector<png_text> texts;
   std::string profile_name;
   std::vector<std::byte> profile; ///< empty: sRGB
@@ -109,20 +112,26 @@ bool encode(png_structp png, png_infop info, std::FILE* file, const PngPicture& 
   png_set_text(png, info, picture.texts.data(), static_cast<int>(picture.texts.size()));
   png_write_info(png, info);
   if (picture.bits == 16 && std::endian::native == std::endian::little) png_set_swap(png);
-  const std::size_t row_bytes = std::size_t{width} * 3 * (picture.bits == 16 ? 2 : 1);
-  for (std::size_t y = 0; y < height; ++y)
-    png_write_row(png, picture.bytes + y * row_bytes);
+  const std::size_t row_values = std::size_t{width} * 3;
+  for (std::size_t y = 0; y < height; ++y) {
+    picture.encode({picture.values + y * row_values, row_values}, picture.row);
+    png_write_row(png, picture.row);
+  }
   png_write_end(png, nullptr);
   return true;
 }
 
 template <class Code>
 void save(const std::filesystem::path& path, const DisplayImage& image) {
-  const std::vector<Code> codes = code_values<Code>(image.encoded);
+  std::vector<Code> row(3 * static_cast<std::size_t>(image.data.width()));
   const PngPicture picture{image.display,
                            image.data,
                            8 * sizeof(Code),
-                           reinterpret_cast<png_const_bytep>(codes.data()),
+                           image.encoded.data(),
+                           [](std::span<const float> values, png_bytep codes) {
+                             code_values(values, reinterpret_cast<Code*>(codes));
+                           },
+                           reinterpret_cast<png_bytep>(row.data()),
                            text_entries(image.metadata),
                            profile_name(image.encoding),
                            image.encoding == DisplayEncoding{} ? std::vector<std::byte>{}

@@ -11,7 +11,9 @@
 #include <cstdarg>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -48,13 +50,17 @@ static int ignore_warning(TIFF*, void*, const char*, const char*, va_list) {
   throw std::runtime_error(error.text[0] != '\0' ? error.text.data() : "libtiff failed");
 }
 
-/// One picture in the form in which it goes to the file.
+/// A row of values in the form in which it goes to the file.
+using Encode = void (*)(std::span<const float> values, std::byte* row);
+
+/// How a picture goes to the file.
 struct Samples {
   std::uint16_t bits;
   std::uint16_t sample_format;
   std::uint16_t predictor;
   std::vector<std::byte> icc_profile;
-  const std::byte* bytes;
+  const std::vector<float>& values; ///< interleaved R, G, B, row by row
+  Encode encode;
 
   [[nodiscard]] std::size_t row_bytes(int width) const {
     return static_cast<std::size_t>(width) * 3 * bits / 8;
@@ -127,9 +133,10 @@ void save(const std::filesystem::path& path, const DisplayImage& image, const Sa
   set_layout(tiff.get(), image.data, samples);
   if (image.data != image.display) set_crop(tiff.get(), image.display, image.data);
   set_texts(tiff.get(), samples, image.metadata);
+  const std::size_t row_values = 3 * static_cast<std::size_t>(image.data.width());
   std::vector<std::byte> row(row_bytes); // libtiff's predictor works in place
   for (std::uint32_t y = 0; y < height; ++y) {
-    std::copy_n(samples.bytes + y * row_bytes, row_bytes, row.begin());
+    samples.encode({samples.values.data() + y * row_values, row_values}, row.data());
     if (TIFFWriteScanline(tiff.get(), row.data(), y) != 1) throw_first(error);
   }
   if (TIFFWriteDirectory(tiff.get()) != 1) throw_first(error);
@@ -140,10 +147,11 @@ void save(const std::filesystem::path& path, const DisplayImage& image, const Sa
 template <class Code>
 void save_integers(const std::filesystem::path& path, const DisplayImage& image) {
   require_pixels(image.display, image.data, image.encoded.size(), 3);
-  const std::vector<Code> codes = code_values<Code>(image.encoded);
   save(path, image,
        {8 * sizeof(Code), SAMPLEFORMAT_UINT, PREDICTOR_HORIZONTAL, icc_profile(image.encoding),
-        reinterpret_cast<const std::byte*>(codes.data())});
+        image.encoded, [](std::span<const float> values, std::byte* row) {
+          code_values(values, reinterpret_cast<Code*>(row));
+        }});
 }
 
 void save_floats(const std::filesystem::path& path, const DisplayImage& image) {
@@ -151,8 +159,10 @@ void save_floats(const std::filesystem::path& path, const DisplayImage& image) {
   // No floating-point predictor: some readers reject it.
   save(path, image,
        {32, SAMPLEFORMAT_IEEEFP, PREDICTOR_NONE,
-        icc_profile({image.encoding.space, linear_transfer()}),
-        reinterpret_cast<const std::byte*>(image.linear.data())});
+        icc_profile({image.encoding.space, linear_transfer()}), image.linear,
+        [](std::span<const float> values, std::byte* row) {
+          std::memcpy(row, values.data(), values.size_bytes());
+        }});
 }
 
 } // namespace

@@ -9,15 +9,22 @@
 
 namespace abbe::test {
 
-/// A scene from text. Warnings are dropped.
-inline Scene scene_from(const std::string& text) {
-  return read_scene_text(text, "test.sdl", [](const std::string&) {});
+/// Every pixel gets the same number of samples: tests know what a sample is, and how many there
+/// are. Those of adaptive sampling ask for it.
+inline Scene evenly_sampled(Scene scene) {
+  scene.settings.adaptive = AdaptiveSampling::off;
+  return scene;
 }
 
-/// One of the project's scenes, small: `size` pixels per side.
+/// A scene from text, evenly sampled. Warnings are dropped.
+inline Scene scene_from(const std::string& text) {
+  return evenly_sampled(read_scene_text(text, "test.sdl", [](const std::string&) {}));
+}
+
+/// One of the project's scenes, evenly sampled, small: `size` pixels per side.
 inline Scene project_scene(const std::string& name, int size) {
-  Scene scene = read_scene(std::string(ABBE_SOURCE_DIR) + "/scenes/" + name + ".sdl",
-                           [](const std::string&) {});
+  Scene scene = evenly_sampled(read_scene(std::string(ABBE_SOURCE_DIR) + "/scenes/" + name + ".sdl",
+                                          [](const std::string&) {}));
   scene.settings.width = scene.settings.height = size;
   scene.settings.crop.reset();
   return scene;

@@ -24,13 +24,15 @@ TEST_CASE("a variation changes what it names and nothing else") {
   CHECK(parse_variation("exact", usual).settings.exact);
   CHECK(parse_variation("noise=0.1", usual).settings.noise == 0.1);
   CHECK(parse_variation("bands=27", usual).settings.bands == 27);
+  CHECK(parse_variation("adaptive=on", usual).settings.adaptive == AdaptiveSampling::on);
+  CHECK(parse_variation("adaptive=off", usual).settings.adaptive == AdaptiveSampling::off);
 }
 
 TEST_CASE("what is no variation is refused") {
   const RenderSettings usual;
-  for (const char* text :
-       {"", "fan", "fan=", "fan=0", "fan=406", "fan=7x", "tolerance=nan", "tolerance=-1",
-        "jitter=maybe", "noise=2", "exact=1", "speed=9", "fan=7,", "default,fast"}) {
+  for (const char* text : {"", "fan", "fan=", "fan=0", "fan=406", "fan=7x", "tolerance=nan",
+                           "tolerance=-1", "jitter=maybe", "adaptive=automatic", "noise=2",
+                           "exact=1", "speed=9", "fan=7,", "default,fast"}) {
     INFO(text);
     CHECK_THROWS_AS(parse_variation(text, usual), std::invalid_argument);
   }

@@ -102,11 +102,12 @@ TEST_CASE("a spectral image has one plane per band, and the colour picture as a 
   CHECK(image.rgba == develop_scene_linear(p.film, p.plan).rgba);
 }
 
-TEST_CASE("a film that keeps errors adds samples and the error of the luminance") {
-  const Scene scene = test::scene_from("imageSize 2 1 background E 1");
-  const Plan plan = make_plan(scene, scene.settings);
-  CHECK(develop_scene_linear(Film({0, 0, 2, 1}, 0x1p-40, 0), plan).channels.empty());
+TEST_CASE("where errors are asked for, samples and the error of the luminance are added") {
+  Scene scene = test::scene_from("imageSize 2 1 background E 1");
   Film film({0, 0, 2, 1}, 0x1p-40, 0, true);
+  CHECK(develop_scene_linear(film, make_plan(scene, scene.settings)).channels.empty());
+  scene.settings.keep_errors = true;
+  const Plan plan = make_plan(scene, scene.settings);
   film.add(0, 0, {0.0, 1.0, 0.0}, true, {});
   film.add(0, 0, {0.0, 3.0, 0.0}, true, {});
   film.add(1, 0, {0.0, 3.0, 0.0}, true, {});
@@ -127,12 +128,14 @@ TEST_CASE("metadata name every setting that shapes the picture and nothing of th
     return render_metadata(make_plan(scene, settings));
   };
   const Metadata plain = metadata([](RenderSettings&) {});
-  CHECK(names(plain) ==
-        std::set<std::string>{"abbe/integrator", "abbe/bands", "abbe/samples", "abbe/seed",
-                              "abbe/filter", "abbe/shadows", "abbe/depth", "abbe/minThroughput",
-                              "abbe/minReflectivity", "abbe/minTransparency", "abbe/jitter",
-                              "abbe/exact", "abbe/observer", "abbe/tolerance", "abbe/maxFan"});
+  CHECK(names(plain) == std::set<std::string>{"abbe/integrator", "abbe/bands", "abbe/samples",
+                                              "abbe/seed", "abbe/filter", "abbe/shadows",
+                                              "abbe/depth", "abbe/minThroughput",
+                                              "abbe/minReflectivity", "abbe/minTransparency",
+                                              "abbe/jitter", "abbe/adaptive", "abbe/exact",
+                                              "abbe/observer", "abbe/tolerance", "abbe/maxFan"});
   const auto tells = [&](auto change) { return metadata(change) != plain; };
+  CHECK(tells([](RenderSettings& s) { s.adaptive = AdaptiveSampling::on; }));
   CHECK(tells([](RenderSettings& s) { s.bands = 80; }));
   CHECK(tells([](RenderSettings& s) { s.observer = Observer::cie1964_10deg; }));
   CHECK(tells([](RenderSettings& s) { s.samples_per_pixel = 3; }));

@@ -1,5 +1,6 @@
 #include "tests/image/picture.h"
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -97,6 +98,29 @@ TEST_CASE("path: packets and single rays make the same bytes") {
     const Picture packets = picture(scene);
     scene.settings.tracing = Tracing::single;
     CHECK(picture(scene) == packets);
+  }
+}
+
+TEST_CASE("path: bands in a file are the bytes of bands in memory") {
+  const KeepBands in_file(BandPlace{std::filesystem::temp_directory_path(), 0});
+  for (const Case& c : cases()) {
+    INFO(c.name);
+    Scene scene = test::scene_from(c.text);
+    scene.settings.threads = 7;
+    CHECK(picture(scene, in_file) == picture(scene));
+  }
+}
+
+TEST_CASE("path: adaptive sampling gives the same bytes on any number of threads") {
+  for (const Case& c : cases()) {
+    INFO(c.name);
+    Scene scene = test::scene_from(c.text);
+    scene.settings.adaptive = AdaptiveSampling::on;
+    scene.settings.samples_per_pixel = 8;
+    scene.settings.threads = 1;
+    const Picture one = picture(scene);
+    scene.settings.threads = 7;
+    CHECK(picture(scene) == one);
   }
 }
 

@@ -15,11 +15,11 @@ struct Picture {
 };
 
 /// Renders; the film may refuse nothing.
-inline Picture picture(const Scene& scene) {
+inline Picture picture(const Scene& scene, const KeepBands& bands = true) {
   const Plan plan = make_plan(scene, scene.settings);
   const World world(scene.shapes, farthest_coordinate(scene));
   const std::atomic<bool> never = false;
-  const Rendering r = render(scene, plan, world, true, {}, never);
+  const Rendering r = render(scene, plan, world, bands, {}, never);
   CHECK(r.film.refused().not_finite == 0);
   CHECK(r.film.refused().negative == 0);
   CHECK(r.film.refused().overflow == 0);

@@ -42,15 +42,17 @@ TEST_CASE("noise and time say when to stop, and make the number of samples a lim
   const RenderSettings plain = settings({});
   CHECK(plain.noise == 0.0);
   CHECK(plain.seconds == 0.0);
-  CHECK_FALSE(plain.adaptive());
+  CHECK_FALSE(plain.may_end_early());
   CHECK_FALSE(plain.keep_errors);
   const RenderSettings both = settings({"--noise", "0.05", "--time", "2.5", "--spp", "100"});
   CHECK(both.noise == 0.05);
   CHECK(both.seconds == 2.5);
   CHECK(both.samples_per_pixel == 100);
-  CHECK(both.adaptive());
-  CHECK(settings({"--time", "2.5"}).adaptive());
+  CHECK(both.may_end_early());
+  CHECK(settings({"--time", "2.5"}).may_end_early());
   CHECK(settings({"--errors"}).keep_errors);
+  CHECK(plain.adaptive == AdaptiveSampling::automatic);
+  CHECK(settings({"--adaptive", "on"}).adaptive == AdaptiveSampling::on);
   RenderSettings scene;
   scene.noise = 0.1;
   CHECK(overridden(scene, given({})).noise == 0.1);
@@ -72,5 +74,10 @@ TEST_CASE("a rendering with a noise target tells how far it went") {
   const std::string hurried = run(folder, "render scene.sdl --time 1e-9 -o a.exr");
   CHECK(contains(hurried, "1 to 1, mean 1.0; estimated relative error unknown"));
   CHECK(contains(hurried, "wrote a.exr"));
-  CHECK_FALSE(contains(run(folder, "render scene.sdl -o a.exr"), "samples a pixel:"));
+  const std::string adaptive = run(folder, "render scene.sdl -o a.exr");
+  CHECK(contains(adaptive, "1 tile, 16 samples a pixel in the mean"));
+  CHECK(contains(adaptive, "samples a pixel: "));
+  const std::string even = run(folder, "render scene.sdl --adaptive off -o a.exr");
+  CHECK(contains(even, "1 tile, 16 samples a pixel;"));
+  CHECK_FALSE(contains(even, "samples a pixel: "));
 }

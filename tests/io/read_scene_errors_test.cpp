@@ -97,6 +97,10 @@ TEST_CASE("errors of camera and film") {
         "number from 1 to 2147483647");
   CHECK(scene_error("noise 1.5") == "s.sdl:1:7: 1.5 is out of range for noise (it is a relative "
                                     "error). Give a number from 0 to 1");
+  CHECK(
+      scene_error("adaptive maybe") ==
+      "s.sdl:1:10: \"maybe\" is no choice of adaptive (adaptive takes on|off|automatic). Give on, "
+      "off or automatic");
   CHECK(scene_error("maxFan 0") == "s.sdl:1:8: 0 is out of range for maxFan (it is a number of "
                                    "rays). Give a number from 1 to 405");
   CHECK(scene_error("tolerance -1") == "s.sdl:1:11: -1 is out of range for tolerance (it is a "

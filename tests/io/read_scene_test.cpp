@@ -58,7 +58,7 @@ TEST_CASE("an empty scene is Scene's defaults and the file's title") {
 TEST_CASE("settings of scene, camera and film") {
   const Scene scene =
       scene_of("EYE 1 2 3 lookat 4 5 6 Up 0 0 1 fieldOfView 40 imageSize 320 200\n"
-               "crop 10 20 30 40 samples 8 noise 0.05 bands 27 seed 18446744073709551615 "
+               "crop 10 20 30 40 samples 8 noise 0.05 adaptive off bands 27 seed 18446744073709551615 "
                "integrator whitted\n"
                "filter tent jitter off exact on tolerance 0.5 maxFan 9\n"
                "maxRecursionDepth 5 minReflectivity 0.1 minTransparency 0.2 minThroughput 0\n"
@@ -73,6 +73,7 @@ TEST_CASE("settings of scene, camera and film") {
   CHECK(s.crop == PixelWindow{10, 20, 30, 40});
   CHECK(s.samples_per_pixel == 8);
   CHECK(s.noise == 0.05);
+  CHECK(s.adaptive == AdaptiveSampling::off);
   CHECK(s.bands == 27);
   CHECK(s.seed == 18446744073709551615U);
   CHECK(s.integrator == Integrator::whitted);

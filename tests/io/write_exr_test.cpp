@@ -1,6 +1,7 @@
 #include "io/write_exr.h"
 
 #include "tests/catch.h"
+#include "tests/io/spectral_rows.h"
 #include "tests/io/temporary_folder.h"
 
 #include <Imath/ImathBox.h>
@@ -221,7 +222,7 @@ TEST_CASE("NaN and infinity are written as they are") {
 TEST_CASE("spectral EXR follows the layout 1.0") {
   const Folder folder;
   const fs::path path = folder.path / "cube.exr";
-  write_spectral_exr(path, spectral(crop, 81));
+  test::write_whole_spectral_exr(path, spectral(crop, 81));
 
   const Imf::InputFile file(path.c_str());
   const Imf::Header& header = file.header();
@@ -255,7 +256,7 @@ TEST_CASE("spectral EXR keeps all bits of every band and an unclipped preview") 
   const Folder folder;
   const fs::path path = folder.path / "cube.exr";
   const SpectralImage image = spectral(crop, 9); // cells of 45 nm: centres 400, 445 ... 760
-  write_spectral_exr(path, image);
+  test::write_whole_spectral_exr(path, image);
   for (std::size_t b = 0; b < 9; ++b) {
     const std::string name = "S0." + std::to_string(400 + 45 * b) + ",000000nm";
     std::vector<float> expected;
@@ -267,10 +268,35 @@ TEST_CASE("spectral EXR keeps all bits of every band and an unclipped preview") 
   CHECK(pattern(crop.x0, crop.y0, 0) < 0.0f);
 }
 
+TEST_CASE("a spectral EXR is written some rows at a time, each once and from the top") {
+  const Folder folder;
+  const fs::path path = folder.path / "cube.exr";
+  const PixelWindow tall{3, 2, 6, 402};
+  SpectralImage image = spectral(tall, 2);
+  image.display = {0, 0, 10, 500};
+  int next = tall.y0, most = 0;
+  write_spectral_exr(path, tall, [&](const PixelWindow& rows) {
+    CHECK(rows.x0 == tall.x0);
+    CHECK(rows.x1 == tall.x1);
+    CHECK((rows.y0 == next || rows.y0 == tall.y0)); // the first row is asked for the header too
+    next = rows.y1;
+    most = std::max(most, rows.height());
+    return test::rows_of(image, rows);
+  });
+  CHECK(next == tall.y1);
+  CHECK(most <= 128);
+  for (std::size_t b = 0; b < 2; ++b)
+    CHECK(read_channel(path, b == 0 ? "S0.478,750000nm" : "S0.681,250000nm") ==
+          std::vector<float>(image.values.begin() + static_cast<std::ptrdiff_t>(b * 1200),
+                             image.values.begin() + static_cast<std::ptrdiff_t>((b + 1) * 1200)));
+  CHECK(Imf::InputFile(path.c_str()).header().dataWindow() == Imath::Box2i({3, 2}, {5, 401}));
+}
+
 TEST_CASE("a band's centre keeps six decimals, rounded") {
   const Folder folder;
   const fs::path path = folder.path / "cube.exr";
-  write_spectral_exr(path, spectral(crop, 7)); // cells of 405 / 7 nm; 377.5 + 28.92857142...
+  test::write_whole_spectral_exr(path,
+                                 spectral(crop, 7)); // cells of 405 / 7 nm; 377.5 + 28.92857142...
   const Imf::InputFile file(path.c_str());
   CHECK(file.header().channels().findChannel("S0.406,428571nm") != nullptr);
 }
@@ -283,8 +309,8 @@ TEST_CASE("two EXR writes give the same bytes") {
     write_exr(b, scene_linear(crop), pixel);
     CHECK(content(a) == content(b));
   }
-  write_spectral_exr(a, spectral(crop, 81));
-  write_spectral_exr(b, spectral(crop, 81));
+  test::write_whole_spectral_exr(a, spectral(crop, 81));
+  test::write_whole_spectral_exr(b, spectral(crop, 81));
   CHECK(content(a) == content(b));
 }
 
@@ -293,6 +319,6 @@ TEST_CASE("an EXR without pixels is an error and no file") {
   const fs::path path = folder.path / "picture.exr";
   CHECK_THROWS_WITH(write_exr(path, {}, ExrPixel::half),
                     "cannot write " + path.string() + ": the picture has no pixels");
-  CHECK_THROWS_AS(write_spectral_exr(path, {}), std::runtime_error);
+  CHECK_THROWS_AS(test::write_whole_spectral_exr(path, {}), std::runtime_error);
   CHECK(fs::is_empty(folder.path));
 }

@@ -1,6 +1,7 @@
 #include "io/write_image.h"
 
 #include "tests/catch.h"
+#include "tests/io/spectral_rows.h"
 #include "tests/io/temporary_folder.h"
 
 #include <csignal>
@@ -110,7 +111,9 @@ TEST_CASE("on a full disk every writer fails, keeps the old picture and leaves n
   const auto write_one_pixel = [](const fs::path& path) {
     write_image(path, {pixel, pixel, noise(4), {}}, {pixel, pixel, noise(3), noise(3), {}}, {});
   };
-  const auto write_cube = [](const fs::path& path) { write_spectral_exr(path, spectral); };
+  const auto write_cube = [](const fs::path& path) {
+    test::write_whole_spectral_exr(path, spectral);
+  };
   const std::pair<const char*, std::function<void(const fs::path&)>> cases[] = {
       {"picture.exr", write_picture}, {"picture.tif", write_picture},
       {"picture.png", write_picture}, {"pixel.exr", write_one_pixel},

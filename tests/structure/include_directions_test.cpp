@@ -40,6 +40,10 @@ constexpr Permission kPermissions[] = {
     {"core/", "fmt/"},
     {"core/light_pass.cpp", "tbb/"},
     {"core/render.cpp", "tbb/"},
+    {"core/sample_allocation.cpp", "tbb/"},
+    {"core/file_backed_sums.cpp", "fcntl.h"},
+    {"core/file_backed_sums.cpp", "sys/mman.h"},
+    {"core/file_backed_sums.cpp", "unistd.h"},
     {"core/denormals.h", "immintrin.h"}, // flushes denormal numbers
     {"io/", "io/"},
     {"io/", "core/"},
