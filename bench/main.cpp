@@ -1,5 +1,5 @@
 #include "bench/command_line.h"
-#include "bench/table.h"
+#include "bench/result_tables.h"
 #include "bench/write_json.h"
 #include "io/atomic_file.h"
 #include "io/command_line.h"
@@ -16,14 +16,14 @@ namespace {
 using namespace abbe;
 namespace fs = std::filesystem;
 
-void show(const std::string& text) {
-  fmt::print("{}", text);
+void show(const bench::Table& table) {
+  fmt::print("{}", bench::to_text(table));
   std::fflush(stdout);
 }
 
 bench::Report measure(const bench::Options& options) {
   bench::Report report{bench::this_machine(), {}, {}, {}};
-  show(bench::table(report.machine));
+  show(bench::table_of(report.machine));
   const bench::ErrorOptions& error = options.error;
   for (const fs::path& scene : options.scenes) {
     switch (options.measurement) {
@@ -33,16 +33,18 @@ bench::Report measure(const bench::Options& options) {
       for (const int bands : levels) {
         bench::RenderOptions render = error.render;
         render.bands = bands;
-        show(bench::table(report.rays.emplace_back(bench::measure_rays(scene, render))));
+        show(bench::table_of(report.rays.emplace_back(bench::measure_rays(scene, render))));
       }
       break;
     }
     case bench::Measurement::bands:
-      show(bench::table(report.bands.emplace_back(bench::measure_bands(scene, error.render))));
+      show(bench::table_of(report.bands.emplace_back(bench::measure_bands(scene, error.render))));
       break;
     case bench::Measurement::error:
-      show(bench::table(report.errors.emplace_back(bench::measure_error(
-          scene, error, [](const std::string& what) { fmt::print(stderr, "{} ...\n", what); }))));
+      report.errors.push_back(bench::measure_error(
+          scene, error, [](const std::string& what) { fmt::print(stderr, "{} ...\n", what); }));
+      show(bench::budgets_table(report.errors.back()));
+      show(bench::times_table(report.errors.back()));
       break;
     case bench::Measurement::done:
       break;

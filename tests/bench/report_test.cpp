@@ -1,4 +1,4 @@
-#include "bench/table.h"
+#include "bench/result_tables.h"
 #include "bench/write_json.h"
 #include "tests/catch.h"
 
@@ -75,10 +75,10 @@ TEST_CASE("the report has its keys") {
         CHECK(budget.contains(key));
   }
 
-  CHECK(mentions(table(report.machine), report.machine.processor));
-  CHECK(mentions(table(report.rays[0]), "refracted"));
-  CHECK(mentions(table(report.bands[0]), "81"));
-  CHECK(mentions(table(report.errors[0]), "default"));
+  CHECK(mentions(to_text(table_of(report.machine)), report.machine.processor));
+  CHECK(mentions(to_text(table_of(report.rays[0])), "refracted"));
+  CHECK(mentions(to_text(table_of(report.bands[0])), "81"));
+  CHECK(mentions(to_text(budgets_table(report.errors[0])), "default"));
 }
 
 TEST_CASE("the reference must not share the scene's seed") {

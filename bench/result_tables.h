@@ -1,0 +1,20 @@
+#pragma once
+
+#include "bench/bands.h"
+#include "bench/error.h"
+#include "bench/machine.h"
+#include "bench/rays.h"
+#include "bench/table.h"
+
+namespace abbe::bench {
+
+/// What was measured on, and how the figures are to be read.
+[[nodiscard]] Table table_of(const Machine& machine);
+
+// What was measured, in rows.
+[[nodiscard]] Table table_of(const RaySpeed& speed);
+[[nodiscard]] Table table_of(const BandCosts& costs);
+[[nodiscard]] Table budgets_table(const ErrorCurves& curves);
+[[nodiscard]] Table times_table(const ErrorCurves& curves);
+
+} // namespace abbe::bench
