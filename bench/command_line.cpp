@@ -67,7 +67,8 @@ Options parse_command_line(int argc, const char* const* argv) {
   error
       ->add_option("--vary", options.error.variations,
                    "Settings to compare, such as default, exact, fan=16, fan=8,tolerance=0.5 "
-                   "(words: fan, tolerance, cutoff, bands, noise, exact, jitter)")
+                   "(words: fan, tolerance, cutoff, bands, noise, lightpaths, exact, jitter, "
+                   "integrator, caustics)")
       ->type_name("SETTINGS");
   error
       ->add_option("--budgets", options.error.budgets,

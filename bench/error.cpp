@@ -25,6 +25,24 @@ std::vector<TimedError> ErrorCurve::rel_mse_curve() const {
   return curve;
 }
 
+std::vector<TimedError> ErrorCurve::delta_e_curve() const {
+  std::vector<TimedError> curve;
+  for (const BudgetError& budget : budgets)
+    curve.push_back({budget.render_seconds.median, budget.error.mean_delta_e});
+  return curve;
+}
+
+std::optional<double> ErrorCurves::default_over_exact() const {
+  const auto seconds_of = [this](std::string_view name) -> std::optional<double> {
+    for (const ErrorCurve& curve : curves)
+      if (curve.variation.name == name) return time_to_error(curve.delta_e_curve(), kEqualDeltaE);
+    return std::nullopt;
+  };
+  const auto usual = seconds_of("default"), exact = seconds_of("exact");
+  if (!usual || !exact) return std::nullopt;
+  return *usual / *exact;
+}
+
 ErrorCurves measure_error(const std::filesystem::path& scene_path, const ErrorOptions& options,
                           const std::function<void(const std::string&)>& tell) {
   const Scene scene = load_scene(scene_path);

@@ -33,13 +33,21 @@ struct ErrorCurve {
   std::vector<BudgetError> budgets;
 
   [[nodiscard]] std::vector<TimedError> rel_mse_curve() const;
+  [[nodiscard]] std::vector<TimedError> delta_e_curve() const; ///< of the mean
 };
+
+/// The mean dE2000 at which variations are compared: a picture whose error is hard to see.
+inline constexpr double kEqualDeltaE = 0.5;
 
 struct ErrorCurves {
   std::string scene;
   RenderSettings reference; ///< exact, with jitter
   double reference_seconds = 0.0;
   std::vector<ErrorCurve> curves;
+
+  /// The time of the variation "default" to `kEqualDeltaE` over that of "exact"; nothing where one
+  /// of them is missing or does not get there.
+  [[nodiscard]] std::optional<double> default_over_exact() const;
 };
 
 /// Renders every variation at every budget and compares with a reference of `--exact` with jitter.

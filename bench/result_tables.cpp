@@ -111,15 +111,21 @@ Table budgets_table(const ErrorCurves& e) {
 
 Table times_table(const ErrorCurves& e) {
   Table table{fmt::format("{}: seconds to an error", e.scene),
-              {"variation", "slope", "relMSE 1e-2", "relMSE 1e-3"},
+              {"variation", "slope", "relMSE 1e-2", "relMSE 1e-3", "relMSE 1e-4",
+               fmt::format("dE mean {}", kEqualDeltaE)},
               {},
               {}};
   for (const ErrorCurve& curve : e.curves) {
     const std::vector<TimedError> points = curve.rel_mse_curve();
-    table.rows.push_back({curve.variation.name, or_dash(log_log_slope(points)),
-                          or_dash(time_to_error(points, 1e-2)),
-                          or_dash(time_to_error(points, 1e-3))});
+    auto& row = table.rows.emplace_back();
+    row = {curve.variation.name, or_dash(log_log_slope(points))};
+    for (const double target : {1e-2, 1e-3, 1e-4})
+      row.push_back(or_dash(time_to_error(points, target)));
+    row.push_back(or_dash(time_to_error(curve.delta_e_curve(), kEqualDeltaE)));
   }
+  if (const auto ratio = e.default_over_exact())
+    table.notes.push_back(fmt::format("default over exact at equal error (dE mean {}): {:.3g}",
+                                      kEqualDeltaE, *ratio));
   return table;
 }
 

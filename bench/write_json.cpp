@@ -8,7 +8,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json json(const Spread& s) {
-  return {{"median", s.median}, {"lowest", s.lowest}, {"highest", s.highest}};
+  return {
+      {"median", s.median}, {"lowest", s.lowest}, {"highest", s.highest}, {"repeats", s.repeats}};
 }
 
 Json json(const std::optional<double>& value) {
@@ -102,7 +103,9 @@ Json json(const ErrorCurve& c) {
           {"budgets", budgets},
           {"slope", json(log_log_slope(points))},
           {"seconds_to_1e-2", json(time_to_error(points, 1e-2))},
-          {"seconds_to_1e-3", json(time_to_error(points, 1e-3))}};
+          {"seconds_to_1e-3", json(time_to_error(points, 1e-3))},
+          {"seconds_to_1e-4", json(time_to_error(points, 1e-4))},
+          {"seconds_to_mean_delta_e_0.5", json(time_to_error(c.delta_e_curve(), kEqualDeltaE))}};
 }
 
 Json json(const ErrorCurves& e) {
@@ -112,7 +115,8 @@ Json json(const ErrorCurves& e) {
   return {{"scene", e.scene},
           {"reference", json(e.reference)},
           {"reference_seconds", e.reference_seconds},
-          {"curves", curves}};
+          {"curves", curves},
+          {"default_over_exact_at_equal_error", json(e.default_over_exact())}};
 }
 
 template <class T>

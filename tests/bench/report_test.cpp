@@ -46,6 +46,7 @@ TEST_CASE("the report has its keys") {
   CHECK(rays.at("scene") == "lens");
   CHECK(rays.at("settings").at("bands") == 81);
   CHECK(rays.at("render_seconds").contains("median"));
+  CHECK(rays.at("render_seconds").at("repeats").size() == 1);
   CHECK(rays.contains("ratio"));
   REQUIRE(rays.at("kinds").size() == 4);
   for (const auto& kind : rays.at("kinds")) {
@@ -67,7 +68,8 @@ TEST_CASE("the report has its keys") {
   CHECK(error.at("reference").at("seed") != error.at("curves").at(0).at("settings").at("seed"));
   REQUIRE(error.at("curves").size() == 2);
   for (const auto& curve : error.at("curves")) {
-    for (const char* key : {"slope", "seconds_to_1e-2", "seconds_to_1e-3"})
+    for (const char* key : {"slope", "seconds_to_1e-2", "seconds_to_1e-3", "seconds_to_1e-4",
+                            "seconds_to_mean_delta_e_0.5"})
       CHECK(curve.contains(key));
     for (const auto& budget : curve.at("budgets"))
       for (const char* key : {"samples_per_pixel", "render_seconds", "rel_mse", "rmse_xyz",
@@ -79,6 +81,22 @@ TEST_CASE("the report has its keys") {
   CHECK(mentions(to_text(table_of(report.rays[0])), "refracted"));
   CHECK(mentions(to_text(table_of(report.bands[0])), "81"));
   CHECK(mentions(to_text(budgets_table(report.errors[0])), "default"));
+}
+
+TEST_CASE("default over exact is the ratio of their times to the same colour difference") {
+  const auto curve = [](const char* variation, double seconds) {
+    ErrorCurve c{{variation, {}}, {}};
+    for (const double factor : {1.0, 4.0}) // dE 1, then 0.25: 0.5 is half way in the logarithms
+      c.budgets.push_back(
+          {1, spread({factor * seconds}), {}, 0, {0.0, 0.0, 1.0 / factor, 0.0, std::nullopt}});
+    return c;
+  };
+  ErrorCurves e{"scene", {}, 0.0, {curve("default", 1.0), curve("exact", 3.0)}};
+  CHECK(time_to_error(e.curves[0].delta_e_curve(), kEqualDeltaE).value() == Approx(2.0));
+  CHECK(e.default_over_exact().value() == Approx(1.0 / 3.0));
+  CHECK(mentions(to_text(times_table(e)), "at equal error (dE mean 0.5): 0.333"));
+  e.curves.pop_back();
+  CHECK_FALSE(e.default_over_exact().has_value());
 }
 
 TEST_CASE("the reference must not share the scene's seed") {
