@@ -1,17 +1,22 @@
 #pragma once
 
 #include "bench/error.h"
+#include "bench/scaling.h"
 
 namespace abbe::bench {
 
-enum class Measurement { rays, bands, error, done };
+enum class Measurement { rays, bands, error, plan, scaling, compare, done };
 
 /// What the user wants measured. `done`: the command line was answered already.
 struct Options {
   Measurement measurement = Measurement::done;
   int exit_code = 0;
   std::vector<std::filesystem::path> scenes;
-  ErrorOptions error; ///< `error.render` serves the other measurements too
+  ErrorOptions error;
+  ScalingOptions scaling;
+  RenderOptions render;                       ///< of all measurements; the two above have copies
+  std::vector<std::filesystem::path> reports; ///< the two to compare
+  double margin = 0.02;                       ///< see `compare`
   std::optional<std::filesystem::path> json;
 };
 

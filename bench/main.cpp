@@ -1,6 +1,5 @@
-#include "bench/command_line.h"
-#include "bench/result_tables.h"
-#include "bench/write_json.h"
+#include "bench/compare.h"
+#include "bench/measure.h"
 #include "io/atomic_file.h"
 #include "io/command_line.h"
 #include "io/token.h"
@@ -9,59 +8,49 @@
 
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 namespace {
 
 using namespace abbe;
-namespace fs = std::filesystem;
+
+constexpr int kSlower = 1; ///< exit code
 
 void show(const bench::Table& table) {
   fmt::print("{}", bench::to_text(table));
   std::fflush(stdout);
 }
 
-bench::Report measure(const bench::Options& options) {
-  bench::Report report{bench::this_machine(), {}, {}, {}};
-  show(bench::table_of(report.machine));
-  const bench::ErrorOptions& error = options.error;
-  for (const fs::path& scene : options.scenes) {
-    switch (options.measurement) {
-    case bench::Measurement::rays: {
-      const std::vector<int> levels =
-          error.render.bands ? std::vector{*error.render.bands} : std::vector{1, 81};
-      for (const int bands : levels) {
-        bench::RenderOptions render = error.render;
-        render.bands = bands;
-        show(bench::table_of(report.rays.emplace_back(bench::measure_rays(scene, render))));
-      }
-      break;
-    }
-    case bench::Measurement::bands:
-      show(bench::table_of(report.bands.emplace_back(bench::measure_bands(scene, error.render))));
-      break;
-    case bench::Measurement::error:
-      report.errors.push_back(bench::measure_error(
-          scene, error, [](const std::string& what) { fmt::print(stderr, "{} ...\n", what); }));
-      show(bench::budgets_table(report.errors.back()));
-      show(bench::times_table(report.errors.back()));
-      break;
-    case bench::Measurement::done:
-      break;
-    }
-  }
-  return report;
+void tell(const std::string& what) {
+  fmt::print(stderr, "{} ...\n", what);
+}
+
+void write(const std::filesystem::path& path, const std::string& text) {
+  replace_file(path, [&](const std::filesystem::path& temporary) {
+    std::ofstream file(temporary);
+    file << text;
+    if (!file.flush()) throw std::runtime_error("the disk is full");
+  });
+}
+
+std::string read(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  if (!file) throw std::invalid_argument(fmt::format("cannot read {}", path.string()));
+  return text;
 }
 
 int run(const bench::Options& options) {
   if (options.measurement == bench::Measurement::done) return options.exit_code;
-  const bench::Report report = measure(options);
-  if (!options.json) return 0;
-  replace_file(*options.json, [&](const fs::path& temporary) {
-    std::ofstream file(temporary);
-    file << bench::to_json_text(report);
-    if (!file.flush()) throw std::runtime_error("the disk is full");
-  });
+  if (options.measurement == bench::Measurement::compare) {
+    const bench::Comparison comparison =
+        bench::compare(read(options.reports[0]), read(options.reports[1]), options.margin);
+    show(bench::table_of(comparison));
+    return comparison.slower() ? kSlower : 0;
+  }
+  const bench::Report report = bench::measure(options, show, tell);
+  if (options.json) write(*options.json, bench::to_json_text(report));
   return 0;
 }
 

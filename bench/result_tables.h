@@ -3,7 +3,9 @@
 #include "bench/bands.h"
 #include "bench/error.h"
 #include "bench/machine.h"
+#include "bench/plan_skips.h"
 #include "bench/rays.h"
+#include "bench/scaling.h"
 #include "bench/table.h"
 
 namespace abbe::bench {
@@ -15,6 +17,9 @@ namespace abbe::bench {
 [[nodiscard]] Table table_of(const RaySpeed& speed);
 [[nodiscard]] Table table_of(const BandCosts& costs);
 [[nodiscard]] Table budgets_table(const ErrorCurves& curves);
+[[nodiscard]] Table table_of(const SkipCosts& costs);
 [[nodiscard]] Table times_table(const ErrorCurves& curves);
+/// A table for each axis that was measured.
+[[nodiscard]] std::vector<Table> tables_of(const Scaling& scaling);
 
 } // namespace abbe::bench

@@ -17,12 +17,12 @@ TEST_CASE("each measurement has its scenes and its size") {
   const auto rays = parse({"rays"});
   CHECK(rays.measurement == Measurement::rays);
   CHECK(rays.scenes.size() == 4);
-  CHECK(rays.error.render.width == 256);
-  CHECK_FALSE(rays.error.render.bands.has_value());
+  CHECK(rays.render.width == 256);
+  CHECK_FALSE(rays.render.bands.has_value());
   CHECK(parse({"bands"}).scenes.size() == 3);
   const auto error = parse({"error", "lens"});
   CHECK(error.measurement == Measurement::error);
-  CHECK(error.error.render.width == 128);
+  CHECK(error.render.width == 128);
   CHECK(error.error.budgets == std::vector{1, 4, 16, 64});
 }
 
@@ -32,10 +32,10 @@ TEST_CASE("options of a measurement") {
              "--size", "512x384", "--crop", "1,2,30,40", "--repeats", "3", "--json", "out.json"});
   CHECK(o.error.variations == std::vector<std::string>{"default", "fan=8,tolerance=1"});
   CHECK(o.error.budgets == std::vector{2, 8});
-  CHECK(o.error.render.width == 512);
-  CHECK(o.error.render.height == 384);
-  CHECK(o.error.render.crop == PixelWindow{1, 2, 30, 40});
-  CHECK(o.error.render.repeats == 3);
+  CHECK(o.render.width == 512);
+  CHECK(o.render.height == 384);
+  CHECK(o.render.crop == PixelWindow{1, 2, 30, 40});
+  CHECK(o.render.repeats == 3);
   CHECK(o.json == std::filesystem::path("out.json"));
 }
 

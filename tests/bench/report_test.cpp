@@ -32,10 +32,12 @@ bool mentions(const std::string& text, const std::string& part) {
 } // namespace
 
 TEST_CASE("the report has its keys") {
-  Report report{this_machine(), {}, {}, {}};
+  Report report;
+  report.machine = this_machine();
   report.rays.push_back(measure_rays("lens", tiny()));
   report.bands.push_back(measure_bands("sphere", tiny()));
   report.errors.push_back(measure_error("lens", tiny_error(), [](const std::string&) {}));
+  report.plans.push_back(measure_plan("newton", tiny()));
   const auto json = nlohmann::json::parse(to_json_text(report));
 
   for (const char* key :
@@ -77,9 +79,20 @@ TEST_CASE("the report has its keys") {
         CHECK(budget.contains(key));
   }
 
+  const auto& plan = json.at("plan").at(0);
+  CHECK(plan.at("scene") == "newton");
+  REQUIRE(plan.at("costs").size() == 6);
+  CHECK(plan.at("costs").at(0).at("without") == "nothing");
+  CHECK(plan.at("costs").at(5).at("without") == "all skips");
+  for (const auto& cost : plan.at("costs")) {
+    CHECK(cost.at("changed_pixels") == 0);
+    CHECK(cost.at("ratio").contains("lowest"));
+  }
+
   CHECK(mentions(to_text(table_of(report.machine)), report.machine.processor));
   CHECK(mentions(to_text(table_of(report.rays[0])), "refracted"));
   CHECK(mentions(to_text(table_of(report.bands[0])), "81"));
+  CHECK(mentions(to_text(table_of(report.plans[0])), "empty tiles"));
   CHECK(mentions(to_text(budgets_table(report.errors[0])), "default"));
 }
 
