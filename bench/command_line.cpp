@@ -36,6 +36,10 @@ void add_common(CLI::App& app, Options& options, Words& words) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   app.add_option("--json", options.json, "Write the results to this file too")->type_name("FILE");
+  app.add_option("--html", options.html, "Write tables and plots as one page")->type_name("FILE");
+  app.add_option("--plots", options.plots, "Write each plot as SVG into this folder")
+      ->check(CLI::ExistingDirectory)
+      ->type_name("FOLDER");
 }
 
 void add_scenes(CLI::App& app, Options& options, const std::string& usual) {

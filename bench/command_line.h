@@ -17,7 +17,8 @@ struct Options {
   RenderOptions render;                       ///< of all measurements; the two above have copies
   std::vector<std::filesystem::path> reports; ///< the two to compare
   double margin = 0.02;                       ///< see `compare`
-  std::optional<std::filesystem::path> json;
+  std::optional<std::filesystem::path> json, html;
+  std::optional<std::filesystem::path> plots; ///< a folder
 };
 
 /// Reads the command line. Help and usage errors are printed here.

@@ -1,5 +1,6 @@
 #include "bench/compare.h"
 #include "bench/measure.h"
+#include "bench/write_html.h"
 #include "io/atomic_file.h"
 #include "io/command_line.h"
 #include "io/token.h"
@@ -51,6 +52,12 @@ int run(const bench::Options& options) {
   }
   const bench::Report report = bench::measure(options, show, tell);
   if (options.json) write(*options.json, bench::to_json_text(report));
+  const std::vector<bench::Section> sections = bench::sections_of(report);
+  if (options.html) write(*options.html, bench::to_html(sections));
+  if (options.plots)
+    for (const bench::Section& section : sections)
+      for (const bench::NamedPlot& plot : section.plots)
+        write(*options.plots / (plot.name + ".svg"), plot.svg);
   return 0;
 }
 

@@ -1,8 +1,12 @@
 #include "bench/result_tables.h"
+#include "bench/write_html.h"
 #include "bench/write_json.h"
+#include "tests/bench/well_formed.h"
 #include "tests/catch.h"
 
 #include <nlohmann/json.hpp>
+
+#include <set>
 
 using namespace abbe;
 using namespace abbe::bench;
@@ -94,6 +98,42 @@ TEST_CASE("the report has its keys") {
   CHECK(mentions(to_text(table_of(report.bands[0])), "81"));
   CHECK(mentions(to_text(table_of(report.plans[0])), "empty tiles"));
   CHECK(mentions(to_text(budgets_table(report.errors[0])), "default"));
+
+  const std::vector<Section> sections = sections_of(report);
+  REQUIRE(sections.size() == 5); // the machine, and four measurements
+  std::set<std::string> names;
+  for (const Section& section : sections)
+    for (const NamedPlot& plot : section.plots) {
+      INFO(plot.name);
+      CHECK(names.insert(plot.name).second);
+      CHECK(test::xml_mistake(plot.svg).empty());
+    }
+  CHECK(names == std::set<std::string>{"bands", "colour_difference_lens", "error_lens", "plan",
+                                       "rays_lens_81"});
+  const std::string page = to_html(sections);
+  CHECK(test::xml_mistake(page).empty());
+  CHECK(mentions(page, report.machine.processor));
+  CHECK_FALSE(mentions(page, "<script"));
+  CHECK_FALSE(mentions(page, "href"));
+}
+
+TEST_CASE("a page shows the text of its tables, whatever stands in it") {
+  const std::string page = to_html({{{{"a < b & c", {"x"}, {{"<1>"}}, {"\"note\""}}}, {}}});
+  CHECK(test::xml_mistake(page).empty());
+  CHECK(mentions(page, "a &lt; b &amp; c"));
+  CHECK(mentions(page, "<td>&lt;1&gt;</td>"));
+}
+
+TEST_CASE("plots of one name are told apart") {
+  Report report;
+  report.scalings.resize(2);
+  for (Scaling& s : report.scalings) {
+    s.scene = "a scene";
+    s.threads.resize(1);
+  }
+  const std::vector<Section> sections = sections_of(report);
+  CHECK(sections[1].plots.at(0).name == "scaling_threads_a_scene");
+  CHECK(sections[2].plots.at(0).name == "scaling_threads_a_scene_2");
 }
 
 TEST_CASE("default over exact is the ratio of their times to the same colour difference") {
