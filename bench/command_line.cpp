@@ -17,6 +17,7 @@ constexpr int kUsualSamples = 4;
 struct Words {
   std::vector<int> size, crop;
   std::vector<std::string> axes;
+  bool all = false;
 };
 
 void add_common(CLI::App& app, Options& options, Words& words) {
@@ -58,10 +59,11 @@ void add_samples(CLI::App& app, Options& options) {
       ->check(CLI::Range(1, 1 << 24));
 }
 
-CLI::App* add_rays(CLI::App& app, Options& options) {
+CLI::App* add_rays(CLI::App& app, Options& options, Words& words) {
   CLI::App* rays =
       app.add_subcommand("rays", "Rays per second by kind, and the same rays through raw Embree");
   add_scenes(*rays, options, "sphere lens prism_a cube");
+  rays->add_flag("--all", words.all, "All of the project's scenes")->excludes("scenes");
   add_bands(*rays, options, "1, then 81");
   add_samples(*rays, options);
   return rays;
@@ -200,6 +202,7 @@ void fill_in(Options& options, const Words& words) {
       options.scaling.axes.push_back(axis_of(word));
   }
   options.error.render = options.scaling.render = render;
+  if (words.all) options.scenes = all_scenes();
   if (options.scenes.empty()) options.scenes = usual_scenes(options.measurement);
 }
 
@@ -212,7 +215,7 @@ Options parse_command_line(int argc, const char* const* argv) {
   app.require_subcommand(1);
   app.failure_message(CLI::FailureMessage::simple);
   const std::pair<Measurement, CLI::App*> commands[] = {
-      {Measurement::rays, add_rays(app, options)},
+      {Measurement::rays, add_rays(app, options, words)},
       {Measurement::bands, add_band_levels(app, options)},
       {Measurement::error, add_error(app, options)},
       {Measurement::plan, add_plan(app, options)},

@@ -1,6 +1,8 @@
 #include "bench/command_line.h"
 #include "tests/catch.h"
 
+#include <algorithm>
+
 using namespace abbe;
 using namespace abbe::bench;
 
@@ -24,6 +26,52 @@ TEST_CASE("each measurement has its scenes and its size") {
   CHECK(error.measurement == Measurement::error);
   CHECK(error.render.width == 128);
   CHECK(error.error.budgets == std::vector{1, 4, 16, 64});
+}
+
+TEST_CASE("all scenes are those that show something") {
+  const auto scenes = parse({"rays", "--all"}).scenes;
+  const auto has = [&](const char* name) {
+    return std::find(scenes.begin(), scenes.end(), name) != scenes.end();
+  };
+  CHECK(has("lens"));
+  CHECK(has("newton"));
+  CHECK_FALSE(has("brilliant")); // only for gem.sdl to include
+  CHECK(std::is_sorted(scenes.begin(), scenes.end()));
+  CHECK(parse({"rays", "--all", "lens"}).exit_code == 2);
+}
+
+TEST_CASE("the axes and limits of scaling") {
+  const auto usual = parse({"scaling"});
+  CHECK(usual.measurement == Measurement::scaling);
+  CHECK(usual.scaling.axes.size() == 5);
+  CHECK(usual.scaling.most_triangles == 1'000'000);
+  CHECK(usual.scenes == std::vector<std::filesystem::path>{"lens"});
+  const auto some = parse({"scaling", "lenses", "threads", "--most-lenses", "100", "--scene",
+                           "sphere", "--repeats", "2"});
+  CHECK(some.scaling.axes == std::vector{Axis::lenses, Axis::threads});
+  CHECK(some.scaling.most_lenses == 100);
+  CHECK(some.scaling.render.repeats == 2);
+  CHECK(some.scenes == std::vector<std::filesystem::path>{"sphere"});
+  CHECK(parse({"scaling", "weight"}).exit_code == 2);
+}
+
+TEST_CASE("two reports that exist are compared") {
+  const char* file = ABBE_SOURCE_DIR "/README.md";
+  const auto o = parse({"compare", file, file, "--margin", "0.1"});
+  CHECK(o.measurement == Measurement::compare);
+  CHECK(o.reports.size() == 2);
+  CHECK(o.margin == 0.1);
+  CHECK(parse({"compare", file}).exit_code == 2);
+  CHECK(parse({"compare", file, "no such file"}).exit_code == 2);
+  CHECK(parse({"compare", file, file, "--margin", "-1"}).exit_code == 2);
+}
+
+TEST_CASE("where results are written to") {
+  const auto o = parse({"plan", "--html", "page.html", "--plots", ABBE_SOURCE_DIR});
+  CHECK(o.measurement == Measurement::plan);
+  CHECK(o.html == std::filesystem::path("page.html"));
+  CHECK(o.plots == std::filesystem::path(ABBE_SOURCE_DIR));
+  CHECK(parse({"plan", "--plots", "no such folder"}).exit_code == 2);
 }
 
 TEST_CASE("options of a measurement") {
