@@ -17,7 +17,7 @@ constexpr int kUsualSamples = 4;
 struct Words {
   std::vector<int> size, crop;
   std::vector<std::string> axes;
-  bool all = false;
+  bool all = false, quick = false;
 };
 
 void add_common(CLI::App& app, Options& options, Words& words) {
@@ -36,6 +36,8 @@ void add_common(CLI::App& app, Options& options, Words& words) {
   app.add_option("--repeats", render.repeats, "Interleaved repeats of which the median is taken")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  app.add_flag("--quick", words.quick,
+               "Small pictures, one repeat: to see that all works, not how fast it is");
   app.add_option("--json", options.json, "Write the results to this file too")->type_name("FILE");
   app.add_option("--html", options.html, "Write tables and plots as one page")->type_name("FILE");
   app.add_option("--plots", options.plots, "Write each plot as SVG into this folder")
@@ -185,6 +187,20 @@ std::vector<std::filesystem::path> usual_scenes(Measurement measurement) {
   return {};
 }
 
+/// Caps everything that takes long.
+void make_quick(Options& options) {
+  RenderOptions& render = options.render;
+  render.repeats = 1;
+  render.samples_per_pixel = 1;
+  for (std::optional<int>* side : {&render.width, &render.height})
+    *side = std::min(**side, 32);
+  for (int& samples : options.error.budgets)
+    samples = std::min(samples, 4);
+  options.error.reference_samples = std::min(options.error.reference_samples, 8);
+  options.scaling.most_triangles = std::min<std::size_t>(options.scaling.most_triangles, 1000);
+  options.scaling.most_lenses = std::min<std::size_t>(options.scaling.most_lenses, 100);
+}
+
 /// What is left open by the user.
 void fill_in(Options& options, const Words& words) {
   RenderOptions& render = options.render;
@@ -195,7 +211,10 @@ void fill_in(Options& options, const Words& words) {
   render.height = words.size.empty() ? side : words.size[1];
   if (const auto& c = words.crop; !c.empty()) render.crop = PixelWindow{c[0], c[1], c[2], c[3]};
   if (!render.samples_per_pixel) render.samples_per_pixel = kUsualSamples;
-  std::sort(options.error.budgets.begin(), options.error.budgets.end());
+  if (words.quick) make_quick(options);
+  auto& budgets = options.error.budgets;
+  std::sort(budgets.begin(), budgets.end());
+  budgets.erase(std::unique(budgets.begin(), budgets.end()), budgets.end());
   if (!words.axes.empty()) {
     options.scaling.axes.clear();
     for (const std::string& word : words.axes)

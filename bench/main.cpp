@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -16,7 +17,7 @@ namespace {
 
 using namespace abbe;
 
-constexpr int kSlower = 1; ///< exit code
+constexpr int kBadNews = 1; ///< exit code: something became slower, or a skip changes a picture
 
 void show(const bench::Table& table) {
   fmt::print("{}", bench::to_text(table));
@@ -48,7 +49,7 @@ int run(const bench::Options& options) {
     const bench::Comparison comparison =
         bench::compare(read(options.reports[0]), read(options.reports[1]), options.margin);
     show(bench::table_of(comparison));
-    return comparison.slower() ? kSlower : 0;
+    return comparison.slower() ? kBadNews : 0;
   }
   const bench::Report report = bench::measure(options, show, tell);
   if (options.json) write(*options.json, bench::to_json_text(report));
@@ -58,7 +59,8 @@ int run(const bench::Options& options) {
     for (const bench::Section& section : sections)
       for (const bench::NamedPlot& plot : section.plots)
         write(*options.plots / (plot.name + ".svg"), plot.svg);
-  return 0;
+  const auto changed = [](const bench::SkipCosts& costs) { return costs.changed(); };
+  return std::any_of(report.plans.begin(), report.plans.end(), changed) ? kBadNews : 0;
 }
 
 } // namespace

@@ -28,6 +28,11 @@ std::vector<double> ratios(const std::vector<double>& of, const std::vector<doub
 
 } // namespace
 
+bool SkipCosts::changed() const {
+  return std::any_of(costs.begin(), costs.end(),
+                     [](const SkipCost& cost) { return cost.changed_pixels > 0; });
+}
+
 SkipCosts measure_plan(const std::filesystem::path& scene_path, const RenderOptions& options) {
   const Scene scene = load_scene(scene_path);
   const World world = build_world(scene);

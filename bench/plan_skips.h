@@ -22,6 +22,8 @@ struct SkipCosts {
   std::size_t tiles = 0, empty_tiles = 0;
   int dead_bands = 0;
   std::vector<SkipCost> costs; ///< nothing left out of the skips comes first, all of them last
+
+  [[nodiscard]] bool changed() const; ///< some pixel did
 };
 
 [[nodiscard]] SkipCosts measure_plan(const std::filesystem::path& scene,

@@ -74,6 +74,20 @@ TEST_CASE("where results are written to") {
   CHECK(parse({"plan", "--plots", "no such folder"}).exit_code == 2);
 }
 
+TEST_CASE("quick runs are small whatever else is asked for") {
+  const auto o = parse({"error", "lens", "--quick", "--size", "512x16"});
+  CHECK(o.render.repeats == 1);
+  CHECK(o.render.width == 32);
+  CHECK(o.render.height == 16);
+  CHECK(o.error.render.repeats == 1);
+  CHECK(o.error.budgets == std::vector{1, 4});
+  CHECK(o.error.reference_samples == 8);
+  const auto scaling = parse({"scaling", "--quick"}).scaling;
+  CHECK(scaling.most_triangles == 1000);
+  CHECK(scaling.most_lenses == 100);
+  CHECK(scaling.render.width == 32);
+}
+
 TEST_CASE("options of a measurement") {
   const auto o =
       parse({"error", "lens", "--vary", "default", "fan=8,tolerance=1", "--budgets", "8", "2",
