@@ -40,6 +40,7 @@ Report measure(const Options& options, const std::function<void(const Table&)>& 
       break;
     }
   }
+  if (report.rays.size() > 1) show(overview(report.rays));
   return report;
 }
 

@@ -39,6 +39,22 @@ Table table_of(const RaySpeed& r) {
   return table;
 }
 
+Table overview(const std::vector<RaySpeed>& speeds) {
+  Table table{"all of them: Mray per processor second",
+              {"scene", "bands", "seconds", "+- %", "rays", "renderer", "raw Embree", "world query",
+               "ratio"},
+              {},
+              {}};
+  for (const RaySpeed& r : speeds)
+    table.rows.push_back(
+        {r.scene, fmt::format("{}", r.settings.bands), seconds_text(r.render_seconds.median),
+         spread_text(r.render_seconds), fmt::format("{}", r.counts.total()),
+         speed_text(r.counts.total(), r.render_seconds.median),
+         speed_text(r.counts.total(), r.best_replay_seconds()),
+         speed_text(r.counts.total(), r.query_seconds()), fmt::format("{:.2f}", r.ratio())});
+  return table;
+}
+
 Table table_of(const BandCosts& c) {
   Table table{
       fmt::format("{}, {}, {} spp", c.scene, size_text(c.settings), c.settings.samples_per_pixel),

@@ -15,6 +15,8 @@ namespace abbe::bench {
 
 // What was measured, in rows.
 [[nodiscard]] Table table_of(const RaySpeed& speed);
+/// One row for each.
+[[nodiscard]] Table overview(const std::vector<RaySpeed>& speeds);
 [[nodiscard]] Table table_of(const BandCosts& costs);
 [[nodiscard]] Table budgets_table(const ErrorCurves& curves);
 [[nodiscard]] Table table_of(const SkipCosts& costs);

@@ -52,6 +52,7 @@ std::vector<Section> sections_of(const Report& report) {
     sections.push_back({{table_of(r)},
                         {{file_name(fmt::format("rays_{}_{}", r.scene, r.settings.bands)),
                           to_svg(rays_plot(r))}}});
+  if (report.rays.size() > 1) sections.push_back({{overview(report.rays)}, {}});
   if (!report.bands.empty()) {
     Section section;
     for (const BandCosts& costs : report.bands)

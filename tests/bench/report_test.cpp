@@ -95,6 +95,7 @@ TEST_CASE("the report has its keys") {
 
   CHECK(mentions(to_text(table_of(report.machine)), report.machine.processor));
   CHECK(mentions(to_text(table_of(report.rays[0])), "refracted"));
+  CHECK(mentions(to_text(overview(report.rays)), "lens"));
   CHECK(mentions(to_text(table_of(report.bands[0])), "81"));
   CHECK(mentions(to_text(table_of(report.plans[0])), "empty tiles"));
   CHECK(mentions(to_text(budgets_table(report.errors[0])), "default"));
