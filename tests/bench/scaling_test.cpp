@@ -82,6 +82,21 @@ TEST_CASE("memory that is used is seen") {
   CHECK_FALSE(added_bytes(resident_bytes()));
 }
 
+TEST_CASE("the memory of triangles is that of their mesh") {
+  constexpr std::size_t kTriangles = 100'000;
+  RenderOptions options;
+  options.width = options.height = 8;
+  options.samples_per_pixel = options.repeats = 1;
+  const PrimitivePoint point = measure_triangles(kTriangles, options);
+  REQUIRE(point.bytes);
+  const Triangles ball = ball_of_triangles(kTriangles);
+  const Mesh mesh(ball.vertices, ball.triangles);
+  const auto& nodes = mesh.hierarchy().nodes;
+  const std::size_t used = mesh.vertices().size() * sizeof(dvec3) + kTriangles * sizeof(Triangle) +
+                           nodes.size() * sizeof(nodes[0]);
+  CHECK(static_cast<double>(*point.bytes) == Approx(static_cast<double>(used)).epsilon(0.1));
+}
+
 TEST_CASE("every axis gives its points") {
   ScalingOptions options;
   options.render.width = options.render.height = 16;
