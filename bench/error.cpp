@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace abbe::bench {
@@ -32,15 +33,16 @@ std::vector<TimedError> ErrorCurve::delta_e_curve() const {
   return curve;
 }
 
-std::optional<double> ErrorCurves::default_over_exact() const {
-  const auto seconds_of = [this](std::string_view name) -> std::optional<double> {
+std::optional<EqualError> ErrorCurves::default_over_exact() const {
+  const auto curve_of = [this](std::string_view name) {
     for (const ErrorCurve& curve : curves)
-      if (curve.variation.name == name) return time_to_error(curve.delta_e_curve(), kEqualDeltaE);
-    return std::nullopt;
+      if (curve.variation.name == name) return curve.delta_e_curve();
+    return std::vector<TimedError>();
   };
-  const auto usual = seconds_of("default"), exact = seconds_of("exact");
-  if (!usual || !exact) return std::nullopt;
-  return *usual / *exact;
+  const std::vector<TimedError> usual = curve_of("default"), exact = curve_of("exact");
+  if (usual.empty() || exact.empty()) return std::nullopt;
+  const double target = std::max({kEqualDeltaE, usual.back().error, exact.back().error});
+  return EqualError{target, *time_to_error(usual, target) / *time_to_error(exact, target)};
 }
 
 ErrorCurves measure_error(const std::filesystem::path& scene_path, const ErrorOptions& options,

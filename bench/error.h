@@ -39,15 +39,21 @@ struct ErrorCurve {
 /// The mean dE2000 at which variations are compared: a picture whose error is hard to see.
 inline constexpr double kEqualDeltaE = 0.5;
 
+/// The times of two variations to one error.
+struct EqualError {
+  double mean_delta_e = 0.0;
+  double ratio = 1.0; ///< first over second
+};
+
 struct ErrorCurves {
   std::string scene;
   RenderSettings reference; ///< exact, with jitter
   double reference_seconds = 0.0;
   std::vector<ErrorCurve> curves;
 
-  /// The time of the variation "default" to `kEqualDeltaE` over that of "exact"; nothing where one
-  /// of them is missing or does not get there.
-  [[nodiscard]] std::optional<double> default_over_exact() const;
+  /// Compares the variations "default" and "exact" at `kEqualDeltaE`, or at the least mean
+  /// difference that both get to. Nothing where one of them is missing.
+  [[nodiscard]] std::optional<EqualError> default_over_exact() const;
 };
 
 /// Renders every variation at every budget and compares with a reference of `--exact` with jitter.

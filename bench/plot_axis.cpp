@@ -17,6 +17,13 @@ double round_step(double value) {
   return 10.0 * decade;
 }
 
+/// "0.01", "500", "2e6".
+std::string label_of(int digit, double decade) {
+  const int power = static_cast<int>(decade);
+  return power < -3 || power > 4 ? fmt::format("{}e{}", digit, power)
+                                 : fmt::format("{:.6g}", digit * std::pow(10.0, decade));
+}
+
 } // namespace
 
 PlotAxis::PlotAxis(const std::vector<double>& values, Scale scale, bool from_zero) : scale_(scale) {
@@ -53,10 +60,10 @@ void PlotAxis::set_logarithmic(double least, double most) {
   if (last == first) last += 1.0;
   for (double decade = first; decade <= last; decade += 1.0) {
     const double unit = std::pow(10.0, decade);
-    ticks_.push_back({unit, fmt::format("{:.6g}", unit)});
+    ticks_.push_back({unit, label_of(1, decade)});
     for (int digit = 2; digit < 10 && decade < last; ++digit) {
       const bool labelled = most <= least * kFew && (digit == 2 || digit == 5);
-      ticks_.push_back({digit * unit, labelled ? fmt::format("{:.6g}", digit * unit) : ""});
+      ticks_.push_back({digit * unit, labelled ? label_of(digit, decade) : ""});
     }
   }
   // Ends need not be decades: the ticks around the values are near enough.

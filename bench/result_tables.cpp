@@ -110,9 +110,10 @@ Table times_table(const ErrorCurves& e) {
       row.push_back(or_dash(time_to_error(points, target)));
     row.push_back(or_dash(time_to_error(curve.delta_e_curve(), kEqualDeltaE)));
   }
-  if (const auto ratio = e.default_over_exact())
-    table.notes.push_back(fmt::format("default over exact at equal error (dE mean {}): {:.3g}",
-                                      kEqualDeltaE, *ratio));
+  if (const auto equal = e.default_over_exact())
+    table.notes.push_back(
+        fmt::format("default over exact at equal error (dE mean {:.3g}): {:.3g} of the time",
+                    equal->mean_delta_e, equal->ratio));
   return table;
 }
 

@@ -109,6 +109,10 @@ Json json(const ErrorCurve& c) {
           {"seconds_to_mean_delta_e_0.5", json(time_to_error(c.delta_e_curve(), kEqualDeltaE))}};
 }
 
+Json json(const std::optional<EqualError>& e) {
+  return e ? Json{{"mean_delta_e_2000", e->mean_delta_e}, {"ratio", e->ratio}} : Json();
+}
+
 Json json(const ErrorCurves& e) {
   Json curves = Json::array();
   for (const ErrorCurve& curve : e.curves)

@@ -77,6 +77,10 @@ TEST_CASE("logarithmic ticks are decades, with more labels where there is room")
   CHECK(narrow.lower() == 3.0);
   CHECK(narrow.upper() == 60.0);
   CHECK_FALSE(narrow.shows(0.0));
+  CHECK(labels(PlotAxis({1e-4, 1e-3}, Scale::logarithmic, false)) ==
+        std::vector<std::string>{"1e-4", "2e-4", "5e-4", "0.001"});
+  CHECK(labels(PlotAxis({1e4, 1e7}, Scale::logarithmic, false)) ==
+        std::vector<std::string>{"10000", "1e5", "1e6", "1e7"});
 }
 
 TEST_CASE("an axis without values, or with one, has two ends") {

@@ -147,8 +147,14 @@ TEST_CASE("default over exact is the ratio of their times to the same colour dif
   };
   ErrorCurves e{"scene", {}, 0.0, {curve("default", 1.0), curve("exact", 3.0)}};
   CHECK(time_to_error(e.curves[0].delta_e_curve(), kEqualDeltaE).value() == Approx(2.0));
-  CHECK(e.default_over_exact().value() == Approx(1.0 / 3.0));
+  CHECK(e.default_over_exact().value().mean_delta_e == 0.5);
+  CHECK(e.default_over_exact().value().ratio == Approx(1.0 / 3.0));
   CHECK(mentions(to_text(times_table(e)), "at equal error (dE mean 0.5): 0.333"));
+  // Where one does not get there, the least that both get to counts: 1, after 1 and 6 seconds.
+  e.curves[0].budgets.pop_back();
+  e.curves[1].budgets[0].error.mean_delta_e = 4.0; // 4, then 0.25 after four times as long
+  CHECK(e.default_over_exact().value().mean_delta_e == 1.0);
+  CHECK(e.default_over_exact().value().ratio == Approx(1.0 / 6.0));
   e.curves.pop_back();
   CHECK_FALSE(e.default_over_exact().has_value());
 }
