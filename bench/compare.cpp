@@ -12,6 +12,10 @@ namespace {
 
 constexpr double kConfidence = 0.95;
 
+/// What takes less is not judged: its first run of a program, or a page that is not there yet,
+/// makes more of a difference than code does.
+constexpr double kLeastSeconds = 1e-3;
+
 const char* word(Verdict verdict) {
   switch (verdict) {
   case Verdict::faster:
@@ -29,8 +33,10 @@ const char* word(Verdict verdict) {
 Change change_of(const Timing& first, const Timing& second, double margin) {
   Change change;
   change.name = first.name;
-  change.ratio = spread(second.repeats).median / spread(first.repeats).median;
+  const double before = spread(first.repeats).median, after = spread(second.repeats).median;
+  change.ratio = after / before;
   change.interval = ratio_interval(first.repeats, second.repeats, kConfidence);
+  if (std::max(before, after) < kLeastSeconds) return change;
   if (!change.interval)
     change.verdict = Verdict::too_few;
   else if (change.interval->lowest > 1.0 + margin)

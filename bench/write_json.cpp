@@ -40,6 +40,12 @@ Json json(const RenderSettings& s) {
               {"jitter", s.jitter},   {"tolerance_pixels", s.tolerance_pixels},
               {"max_fan", s.max_fan}, {"min_throughput", s.min_throughput},
               {"threads", s.threads}};
+  result["integrator"] = s.integrator == Integrator::path ? "path" : "whitted";
+  result["caustics"] = s.caustics == Caustics::automatic ? "automatic"
+                       : s.caustics == Caustics::on      ? "on"
+                                                         : "off";
+  result["light_paths"] = s.light_paths;
+  result["noise"] = s.noise;
   result["crop"] = s.crop ? Json{s.crop->x0, s.crop->y0, s.crop->x1, s.crop->y1} : Json();
   return result;
 }

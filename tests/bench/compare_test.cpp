@@ -88,6 +88,9 @@ TEST_CASE("a change beyond its noise is told, and noise is not") {
   // Sure, but less than what two runs may differ by.
   CHECK(only_change({1, 1, 1, 1, 1}, {1.015, 1.015, 1.015, 1.015, 1.015}).verdict ==
         Verdict::noise);
+  // Less than a millisecond.
+  CHECK(only_change({2e-4, 2e-4, 2e-4, 2e-4}, {9e-4, 9e-4, 9e-4, 9e-4}).verdict == Verdict::noise);
+  CHECK(only_change({2e-4, 2e-4, 2e-4, 2e-4}, {2e-3, 2e-3, 2e-3, 2e-3}).verdict == Verdict::slower);
   CHECK(compare(report_text(before), report_text(times(1.3)), 0.02).slower());
   CHECK_FALSE(compare(report_text(before), report_text(times(0.7)), 0.02).slower());
 }

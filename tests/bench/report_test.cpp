@@ -51,6 +51,8 @@ TEST_CASE("the report has its keys") {
   const auto& rays = json.at("rays").at(0);
   CHECK(rays.at("scene") == "lens");
   CHECK(rays.at("settings").at("bands") == 81);
+  CHECK(rays.at("settings").at("integrator") == "whitted");
+  CHECK(rays.at("settings").at("caustics") == "automatic");
   CHECK(rays.at("render_seconds").contains("median"));
   CHECK(rays.at("render_seconds").at("repeats").size() == 1);
   CHECK(rays.contains("ratio"));
