@@ -1,18 +1,24 @@
 #pragma once
 
 #include "bench/error.h"
+#include "bench/scaling.h"
 
 namespace abbe::bench {
 
-enum class Measurement { rays, bands, error, done };
+enum class Measurement { rays, bands, error, plan, scaling, compare, done };
 
 /// What the user wants measured. `done`: the command line was answered already.
 struct Options {
   Measurement measurement = Measurement::done;
   int exit_code = 0;
   std::vector<std::filesystem::path> scenes;
-  ErrorOptions error; ///< `error.render` serves the other measurements too
-  std::optional<std::filesystem::path> json;
+  ErrorOptions error;
+  ScalingOptions scaling;
+  RenderOptions render;                       ///< of all measurements; the two above have copies
+  std::vector<std::filesystem::path> reports; ///< the two to compare
+  double margin = 0.02;                       ///< see `compare`
+  std::optional<std::filesystem::path> json, html;
+  std::optional<std::filesystem::path> plots; ///< a folder
 };
 
 /// Reads the command line. Help and usage errors are printed here.

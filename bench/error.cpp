@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace abbe::bench {
@@ -24,6 +25,25 @@ std::vector<TimedError> ErrorCurve::rel_mse_curve() const {
   for (const BudgetError& budget : budgets)
     curve.push_back({budget.render_seconds.median, budget.error.rel_mse});
   return curve;
+}
+
+std::vector<TimedError> ErrorCurve::delta_e_curve() const {
+  std::vector<TimedError> curve;
+  for (const BudgetError& budget : budgets)
+    curve.push_back({budget.render_seconds.median, budget.error.mean_delta_e});
+  return curve;
+}
+
+std::optional<EqualError> ErrorCurves::default_over_exact() const {
+  const auto curve_of = [this](std::string_view name) {
+    for (const ErrorCurve& curve : curves)
+      if (curve.variation.name == name) return curve.delta_e_curve();
+    return std::vector<TimedError>();
+  };
+  const std::vector<TimedError> usual = curve_of("default"), exact = curve_of("exact");
+  if (usual.empty() || exact.empty()) return std::nullopt;
+  const double target = std::max({kEqualDeltaE, usual.back().error, exact.back().error});
+  return EqualError{target, *time_to_error(usual, target) / *time_to_error(exact, target)};
 }
 
 ErrorCurves measure_error(const std::filesystem::path& scene_path, const ErrorOptions& options,

@@ -33,6 +33,16 @@ struct ErrorCurve {
   std::vector<BudgetError> budgets;
 
   [[nodiscard]] std::vector<TimedError> rel_mse_curve() const;
+  [[nodiscard]] std::vector<TimedError> delta_e_curve() const; ///< of the mean
+};
+
+/// The mean dE2000 at which variations are compared: a picture whose error is hard to see.
+inline constexpr double kEqualDeltaE = 0.5;
+
+/// The times of two variations to one error.
+struct EqualError {
+  double mean_delta_e = 0.0;
+  double ratio = 1.0; ///< first over second
 };
 
 struct ErrorCurves {
@@ -40,6 +50,10 @@ struct ErrorCurves {
   RenderSettings reference; ///< exact, with jitter
   double reference_seconds = 0.0;
   std::vector<ErrorCurve> curves;
+
+  /// Compares the variations "default" and "exact" at `kEqualDeltaE`, or at the least mean
+  /// difference that both get to. Nothing where one of them is missing.
+  [[nodiscard]] std::optional<EqualError> default_over_exact() const;
 };
 
 /// Renders every variation at every budget and compares with a reference of `--exact` with jitter.

@@ -70,6 +70,21 @@ double band_noise(const Film& picture, const Film& reference) {
   return counted > 0 ? sum / counted : 0.0;
 }
 
+std::size_t changed_pixels(const Film& a, const Film& b) {
+  const auto differ = [&](int x, int y) {
+    if (a.color(x, y) != b.color(x, y) || a.alpha(x, y) != b.alpha(x, y)) return true;
+    for (int band = 0; band < a.bands(); ++band)
+      if (a.radiance(x, y, band) != b.radiance(x, y, band)) return true;
+    return false;
+  };
+  const PixelWindow& w = a.window();
+  std::size_t changed = 0;
+  for (int y = w.y0; y < w.y1; ++y)
+    for (int x = w.x0; x < w.x1; ++x)
+      changed += differ(x, y) ? 1 : 0;
+  return changed;
+}
+
 std::vector<Xyz> pixels(const Film& film) {
   std::vector<Xyz> colors;
   const PixelWindow& w = film.window();

@@ -30,6 +30,10 @@ struct ImageError {
 /// reference is black do not count. Both films keep as many bands.
 [[nodiscard]] double band_noise(const Film& picture, const Film& reference);
 
+/// How many pixels differ, be it by a bit, in colour, coverage or a band. The films have one window
+/// and keep as many bands.
+[[nodiscard]] std::size_t changed_pixels(const Film& a, const Film& b);
+
 /// The picture's colours, row by row.
 [[nodiscard]] std::vector<Xyz> pixels(const Film& film);
 

@@ -1,66 +1,66 @@
-#include "bench/command_line.h"
-#include "bench/table.h"
-#include "bench/write_json.h"
+#include "bench/compare.h"
+#include "bench/measure.h"
+#include "bench/write_html.h"
 #include "io/atomic_file.h"
 #include "io/command_line.h"
 #include "io/token.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 namespace {
 
 using namespace abbe;
-namespace fs = std::filesystem;
 
-void show(const std::string& text) {
-  fmt::print("{}", text);
+constexpr int kBadNews = 1; ///< exit code: something became slower, or a skip changes a picture
+
+void show(const bench::Table& table) {
+  fmt::print("{}", bench::to_text(table));
   std::fflush(stdout);
 }
 
-bench::Report measure(const bench::Options& options) {
-  bench::Report report{bench::this_machine(), {}, {}, {}};
-  show(bench::table(report.machine));
-  const bench::ErrorOptions& error = options.error;
-  for (const fs::path& scene : options.scenes) {
-    switch (options.measurement) {
-    case bench::Measurement::rays: {
-      const std::vector<int> levels =
-          error.render.bands ? std::vector{*error.render.bands} : std::vector{1, 81};
-      for (const int bands : levels) {
-        bench::RenderOptions render = error.render;
-        render.bands = bands;
-        show(bench::table(report.rays.emplace_back(bench::measure_rays(scene, render))));
-      }
-      break;
-    }
-    case bench::Measurement::bands:
-      show(bench::table(report.bands.emplace_back(bench::measure_bands(scene, error.render))));
-      break;
-    case bench::Measurement::error:
-      show(bench::table(report.errors.emplace_back(bench::measure_error(
-          scene, error, [](const std::string& what) { fmt::print(stderr, "{} ...\n", what); }))));
-      break;
-    case bench::Measurement::done:
-      break;
-    }
-  }
-  return report;
+void tell(const std::string& what) {
+  fmt::print(stderr, "{} ...\n", what);
+}
+
+void write(const std::filesystem::path& path, const std::string& text) {
+  replace_file(path, [&](const std::filesystem::path& temporary) {
+    std::ofstream file(temporary);
+    file << text;
+    if (!file.flush()) throw std::runtime_error("the disk is full");
+  });
+}
+
+std::string read(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  if (!file) throw std::invalid_argument(fmt::format("cannot read {}", path.string()));
+  return text;
 }
 
 int run(const bench::Options& options) {
   if (options.measurement == bench::Measurement::done) return options.exit_code;
-  const bench::Report report = measure(options);
-  if (!options.json) return 0;
-  replace_file(*options.json, [&](const fs::path& temporary) {
-    std::ofstream file(temporary);
-    file << bench::to_json_text(report);
-    if (!file.flush()) throw std::runtime_error("the disk is full");
-  });
-  return 0;
+  if (options.measurement == bench::Measurement::compare) {
+    const bench::Comparison comparison =
+        bench::compare(read(options.reports[0]), read(options.reports[1]), options.margin);
+    show(bench::table_of(comparison));
+    return comparison.slower() ? kBadNews : 0;
+  }
+  const bench::Report report = bench::measure(options, show, tell);
+  if (options.json) write(*options.json, bench::to_json_text(report));
+  const std::vector<bench::Section> sections = bench::sections_of(report);
+  if (options.html) write(*options.html, bench::to_html(sections));
+  if (options.plots)
+    for (const bench::Section& section : sections)
+      for (const bench::NamedPlot& plot : section.plots)
+        write(*options.plots / (plot.name + ".svg"), plot.svg);
+  const auto changed = [](const bench::SkipCosts& costs) { return costs.changed(); };
+  return std::any_of(report.plans.begin(), report.plans.end(), changed) ? kBadNews : 0;
 }
 
 } // namespace

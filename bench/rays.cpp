@@ -4,10 +4,9 @@
 
 namespace abbe::bench {
 
-double KindSpeed::best_replay_seconds() const {
-  return std::min_element(replay_seconds.begin(), replay_seconds.end(),
-                          [](const Spread& a, const Spread& b) { return a.median < b.median; })
-      ->median;
+const Spread& KindSpeed::best_replay() const {
+  return *std::min_element(replay_seconds.begin(), replay_seconds.end(),
+                           [](const Spread& a, const Spread& b) { return a.median < b.median; });
 }
 
 int KindSpeed::best_width() const {
@@ -22,6 +21,20 @@ double RaySpeed::best_replay_seconds() const {
   double sum = 0.0;
   for (const KindSpeed& kind : kinds)
     sum += kind.best_replay_seconds();
+  return sum;
+}
+
+double RaySpeed::single_replay_seconds() const {
+  double sum = 0.0;
+  for (const KindSpeed& kind : kinds)
+    sum += kind.replay_seconds.front().median;
+  return sum;
+}
+
+double RaySpeed::query_seconds() const {
+  double sum = 0.0;
+  for (const KindSpeed& kind : kinds)
+    sum += kind.query_seconds.median;
   return sum;
 }
 

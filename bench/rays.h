@@ -14,7 +14,8 @@ struct KindSpeed {
   Spread query_seconds; ///< the world's queries, as the renderer asks them
   bool any_hit = false; ///< only whether something is in the way; these go one at a time
 
-  [[nodiscard]] double best_replay_seconds() const;
+  [[nodiscard]] const Spread& best_replay() const; ///< of the packet width that is fastest
+  [[nodiscard]] double best_replay_seconds() const { return best_replay().median; }
   [[nodiscard]] int best_width() const;
 };
 
@@ -30,7 +31,10 @@ struct RaySpeed {
   /// Raw Embree's time for all rays over the rendering's: 1 would be a rendering that does nothing
   /// but trace, without any cost.
   [[nodiscard]] double ratio() const;
+  // Times of all kinds of rays.
   [[nodiscard]] double best_replay_seconds() const;
+  [[nodiscard]] double single_replay_seconds() const;
+  [[nodiscard]] double query_seconds() const;
 };
 
 [[nodiscard]] RaySpeed measure_rays(const std::filesystem::path& scene,

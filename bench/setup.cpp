@@ -3,6 +3,8 @@
 #include "bench/timing.h"
 #include "io/read_scene.h"
 
+#include <algorithm>
+
 namespace abbe::bench {
 
 Scene load_scene(const std::filesystem::path& scene) {
@@ -10,6 +12,15 @@ Scene load_scene(const std::filesystem::path& scene) {
   const std::filesystem::path path =
       named ? std::filesystem::path(ABBE_SCENES) / (scene.string() + ".sdl") : scene;
   return read_scene(path, [](const std::string&) {});
+}
+
+std::vector<std::filesystem::path> all_scenes() {
+  std::vector<std::filesystem::path> names;
+  for (const auto& entry : std::filesystem::directory_iterator(ABBE_SCENES))
+    if (entry.path().extension() == ".sdl" && !load_scene(entry.path()).shapes.empty())
+      names.push_back(entry.path().stem());
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 RenderSettings settings_for(const Scene& scene, const RenderOptions& options) {

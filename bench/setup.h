@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace abbe::bench {
 
@@ -21,6 +22,10 @@ struct RenderOptions {
 /// A scene of a file; warnings are dropped, since rendering says them too. A name without folder
 /// and extension is one of the project's scenes.
 [[nodiscard]] Scene load_scene(const std::filesystem::path& scene);
+
+/// The project's scenes by name, in alphabetical order; files without shapes, which others include,
+/// are left out.
+[[nodiscard]] std::vector<std::filesystem::path> all_scenes();
 
 /// The scene's settings with the options in their place.
 [[nodiscard]] RenderSettings settings_for(const Scene& scene, const RenderOptions& options);

@@ -1,16 +1,19 @@
 #pragma once
 
-#include "bench/bands.h"
-#include "bench/error.h"
-#include "bench/machine.h"
-#include "bench/rays.h"
+#include <string>
+#include <vector>
 
 namespace abbe::bench {
 
-// The results as tables for a terminal.
-[[nodiscard]] std::string table(const Machine& machine);
-[[nodiscard]] std::string table(const RaySpeed& speed);
-[[nodiscard]] std::string table(const BandCosts& costs);
-[[nodiscard]] std::string table(const ErrorCurves& curves);
+/// Results in rows, as they are read by people; write_html.h has the other way to show them.
+struct Table {
+  std::string title;
+  std::vector<std::string> columns;           ///< headings; no table but notes when empty
+  std::vector<std::vector<std::string>> rows; ///< as many cells as there are columns
+  std::vector<std::string> notes;             ///< sentences below
+};
+
+/// The table for a terminal: the first column to the left, the others to the right.
+[[nodiscard]] std::string to_text(const Table& table);
 
 } // namespace abbe::bench

@@ -9,9 +9,11 @@ namespace abbe::bench {
 
 Spread spread(std::vector<double> values) {
   if (values.empty()) return {};
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return {0.5 * (values[(n - 1) / 2] + values[n / 2]), values.front(), values.back()};
+  std::vector<double> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t n = sorted.size();
+  return {0.5 * (sorted[(n - 1) / 2] + sorted[n / 2]), sorted.front(), sorted.back(),
+          std::move(values)};
 }
 
 Seconds time_of(const std::function<void()>& work) {

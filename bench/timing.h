@@ -14,6 +14,7 @@ struct Seconds {
 /// Repeated measurements of one thing.
 struct Spread {
   double median = 0.0, lowest = 0.0, highest = 0.0;
+  std::vector<double> repeats; ///< all of them, in the order in which they were measured
 };
 
 [[nodiscard]] Spread spread(std::vector<double> values);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 #include <stdexcept>
 
@@ -9,8 +10,8 @@ namespace abbe::bench {
 namespace {
 
 constexpr const char* kWords =
-    "fan=N, tolerance=PIXELS, cutoff=X, bands=N, noise=X, exact, jitter=on, jitter=off, "
-    "adaptive=on, adaptive=off or default";
+    "fan=N, tolerance=PIXELS, cutoff=X, bands=N, noise=X, lightpaths=X, exact, jitter=on|off, "
+    "integrator=whitted|path, caustics=on|off, adaptive=on|off or default";
 
 template <class T>
 T number(std::string_view word, std::string_view text, T lowest, T highest) {
@@ -21,6 +22,23 @@ T number(std::string_view word, std::string_view text, T lowest, T highest) {
     throw std::invalid_argument(
         fmt::format("\"{}\": \"{}\" is not a number from {} to {}", word, text, lowest, highest));
   return value;
+}
+
+template <class T>
+struct Choice {
+  std::string_view word;
+  T value;
+};
+
+/// Sets `setting` when the word is one of the choices.
+template <class T>
+bool chosen(std::string_view word, const std::array<Choice<T>, 2>& choices, T& setting) {
+  for (const Choice<T>& choice : choices)
+    if (choice.word == word) {
+      setting = choice.value;
+      return true;
+    }
+  return false;
 }
 
 void apply(std::string_view word, RenderSettings& s) {
@@ -39,11 +57,21 @@ void apply(std::string_view word, RenderSettings& s) {
     s.min_throughput = number(word, value, 0.0, 1.0);
   else if (key == "noise")
     s.noise = number(word, value, 0.0, 1.0);
-  else if (key == "jitter" && (value == "on" || value == "off"))
-    s.jitter = value == "on";
-  else if (key == "adaptive" && (value == "on" || value == "off"))
-    s.adaptive = value == "on" ? AdaptiveSampling::on : AdaptiveSampling::off;
-  else if (word != "default")
+  else if (key == "lightpaths")
+    s.light_paths = number(word, value, 0.0, 1e6);
+  else if (word != "default" &&
+           !chosen<bool>(word, {{{"jitter=on", true}, {"jitter=off", false}}}, s.jitter) &&
+           !chosen<Integrator>(word,
+                               {{{"integrator=whitted", Integrator::whitted},
+                                 {"integrator=path", Integrator::path}}},
+                               s.integrator) &&
+           !chosen<Caustics>(word,
+                             {{{"caustics=on", Caustics::on}, {"caustics=off", Caustics::off}}},
+                             s.caustics) &&
+           !chosen<AdaptiveSampling>(
+               word,
+               {{{"adaptive=on", AdaptiveSampling::on}, {"adaptive=off", AdaptiveSampling::off}}},
+               s.adaptive))
     throw std::invalid_argument(fmt::format("\"{}\" is no variation: {}", word, kWords));
 }
 

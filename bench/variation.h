@@ -15,7 +15,8 @@ struct Variation {
 };
 
 /// "default", or words joined by commas: fan=N, tolerance=PIXELS, cutoff=X, bands=N, noise=X,
-/// exact, jitter=on|off, adaptive=on|off. Throws std::invalid_argument for anything else.
+/// lightpaths=X, exact, jitter=on|off, integrator=whitted|path, caustics=on|off, adaptive=on|off.
+/// Throws std::invalid_argument for anything else.
 [[nodiscard]] Variation parse_variation(std::string_view text, const RenderSettings& settings);
 
 } // namespace abbe::bench

@@ -8,10 +8,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json json(const Spread& s) {
-  return {{"median", s.median}, {"lowest", s.lowest}, {"highest", s.highest}};
+  return {
+      {"median", s.median}, {"lowest", s.lowest}, {"highest", s.highest}, {"repeats", s.repeats}};
 }
 
-Json json(const std::optional<double>& value) {
+template <class T>
+Json json(const std::optional<T>& value) {
   return value ? Json(*value) : Json();
 }
 
@@ -38,6 +40,12 @@ Json json(const RenderSettings& s) {
               {"jitter", s.jitter},   {"tolerance_pixels", s.tolerance_pixels},
               {"max_fan", s.max_fan}, {"min_throughput", s.min_throughput},
               {"threads", s.threads}};
+  result["integrator"] = s.integrator == Integrator::path ? "path" : "whitted";
+  result["caustics"] = s.caustics == Caustics::automatic ? "automatic"
+                       : s.caustics == Caustics::on      ? "on"
+                                                         : "off";
+  result["light_paths"] = s.light_paths;
+  result["noise"] = s.noise;
   result["crop"] = s.crop ? Json{s.crop->x0, s.crop->y0, s.crop->x1, s.crop->y1} : Json();
   return result;
 }
@@ -102,7 +110,13 @@ Json json(const ErrorCurve& c) {
           {"budgets", budgets},
           {"slope", json(log_log_slope(points))},
           {"seconds_to_1e-2", json(time_to_error(points, 1e-2))},
-          {"seconds_to_1e-3", json(time_to_error(points, 1e-3))}};
+          {"seconds_to_1e-3", json(time_to_error(points, 1e-3))},
+          {"seconds_to_1e-4", json(time_to_error(points, 1e-4))},
+          {"seconds_to_mean_delta_e_0.5", json(time_to_error(c.delta_e_curve(), kEqualDeltaE))}};
+}
+
+Json json(const std::optional<EqualError>& e) {
+  return e ? Json{{"mean_delta_e_2000", e->mean_delta_e}, {"ratio", e->ratio}} : Json();
 }
 
 Json json(const ErrorCurves& e) {
@@ -112,8 +126,59 @@ Json json(const ErrorCurves& e) {
   return {{"scene", e.scene},
           {"reference", json(e.reference)},
           {"reference_seconds", e.reference_seconds},
-          {"curves", curves}};
+          {"curves", curves},
+          {"default_over_exact_at_equal_error", json(e.default_over_exact())}};
 }
+
+Json json(const SkipCost& c) {
+  return {{"without", c.without},
+          {"render_seconds", json(c.render_seconds)},
+          {"render_wall_seconds", json(c.wall_seconds)},
+          {"ratio", json(c.ratio)},
+          {"changed_pixels", c.changed_pixels}};
+}
+
+Json json(const SkipCosts& c) {
+  Json costs = Json::array();
+  for (const SkipCost& cost : c.costs)
+    costs.push_back(json(cost));
+  return {{"scene", c.scene},           {"settings", json(c.settings)},
+          {"tiles", c.tiles},           {"empty_tiles", c.empty_tiles},
+          {"dead_bands", c.dead_bands}, {"costs", costs}};
+}
+
+Json json(const ThreadPoint& p) {
+  return {{"threads", p.threads},
+          {"render_wall_seconds", json(p.wall_seconds)},
+          {"render_seconds", json(p.render_seconds)},
+          {"loop_wall_seconds", json(p.loop_wall_seconds)},
+          {"speedup", json(p.speedup)},
+          {"loop_speedup", json(p.loop_speedup)},
+          {"share_of_loop", p.share_of_loop()}};
+}
+
+Json json(const PicturePoint& p) {
+  return {{"width", p.settings.width},
+          {"height", p.settings.height},
+          {"samples_per_pixel", p.settings.samples_per_pixel},
+          {"render_seconds", json(p.render_seconds)},
+          {"render_wall_seconds", json(p.wall_seconds)},
+          {"rays", p.rays},
+          {"film_bytes", json(p.film_bytes)},
+          {"band_film_bytes", json(p.band_film_bytes)}};
+}
+
+Json json(const PrimitivePoint& p) {
+  return {{"primitives", p.primitives},
+          {"build_seconds", json(p.build_seconds)},
+          {"build_wall_seconds", json(p.build_wall_seconds)},
+          {"render_seconds", json(p.render_seconds)},
+          {"render_wall_seconds", json(p.wall_seconds)},
+          {"rays", p.rays},
+          {"bytes", json(p.bytes)}};
+}
+
+Json json(const Scaling& s);
 
 template <class T>
 Json list(const std::vector<T>& results) {
@@ -123,13 +188,22 @@ Json list(const std::vector<T>& results) {
   return array;
 }
 
+Json json(const Scaling& s) {
+  return {{"scene", s.scene},
+          {"settings", json(s.settings)},
+          {"by_threads", list(s.threads)},
+          {"by_size", list(s.sizes)},
+          {"by_samples", list(s.samples)},
+          {"by_triangles", list(s.triangles)},
+          {"by_lenses", list(s.lenses)}};
+}
+
 } // namespace
 
 std::string to_json_text(const Report& report) {
-  const Json result{{"machine", json(report.machine)},
-                    {"rays", list(report.rays)},
-                    {"bands", list(report.bands)},
-                    {"error", list(report.errors)}};
+  const Json result{{"machine", json(report.machine)}, {"rays", list(report.rays)},
+                    {"bands", list(report.bands)},     {"error", list(report.errors)},
+                    {"plan", list(report.plans)},      {"scaling", list(report.scalings)}};
   return result.dump(2) + "\n";
 }
 

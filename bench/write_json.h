@@ -3,7 +3,9 @@
 #include "bench/bands.h"
 #include "bench/error.h"
 #include "bench/machine.h"
+#include "bench/plan_skips.h"
 #include "bench/rays.h"
+#include "bench/scaling.h"
 
 namespace abbe::bench {
 
@@ -13,6 +15,8 @@ struct Report {
   std::vector<RaySpeed> rays;
   std::vector<BandCosts> bands;
   std::vector<ErrorCurves> errors;
+  std::vector<SkipCosts> plans;
+  std::vector<Scaling> scalings;
 };
 
 /// The report as JSON, keys as in the structs; docs/performance.md names them.

@@ -2,8 +2,9 @@
 
 namespace abbe {
 
-IndexTable::IndexTable(const Dispersion& law) {
-  if (is_achromatic(law)) {
+IndexTable::IndexTable(const Dispersion& law, bool keep_constant)
+    : achromatic_(is_achromatic(law)) {
+  if (achromatic_ && keep_constant) {
     samples_.push_back(refractive_index(law, 0.5 * (kLowerNm + kUpperNm)));
     return;
   }

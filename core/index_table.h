@@ -16,7 +16,8 @@ class IndexTable {
 public:
   /// Vacuum.
   IndexTable() : IndexTable(ConstantIndex{1.0}) {}
-  explicit IndexTable(const Dispersion& law);
+  /// With `keep_constant` off an index that does not change is tabulated like any other.
+  explicit IndexTable(const Dispersion& law, bool keep_constant = true);
 
   [[nodiscard]] double at(double lambda_nm) const {
     if (samples_.size() == 1) return samples_[0];
@@ -25,11 +26,12 @@ public:
     const double f = x - static_cast<double>(i);
     return samples_[i] + f * (samples_[i + 1] - samples_[i]);
   }
-  [[nodiscard]] bool achromatic() const { return samples_.size() == 1; }
+  [[nodiscard]] bool achromatic() const { return achromatic_; }
 
 private:
   static constexpr double kStepNm = 0.0625;
   std::vector<double> samples_;
+  bool achromatic_ = false;
 };
 
 } // namespace abbe

@@ -35,7 +35,7 @@ public:
     SourcePlan source;
     if (per_band_ && spectrum.spectral_lines().empty()) {
       const auto constant = spectrum.constant_value();
-      source.factor = constant && plan_.settings.skip
+      source.factor = constant && plan_.settings.skip.constant_curves
                           ? BandTable(static_cast<float>(*constant), plan_.grid.count())
                           : BandTable(band_means(plan_.grid, spectrum));
     } else {
@@ -101,7 +101,7 @@ void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
   const RenderSettings& settings = plan.settings;
   const std::vector<double> nm = table_wavelengths(plan);
   const auto table = [&](const Curve& curve) {
-    return BandTable::at_wavelengths(nm, curve, settings.skip);
+    return BandTable::at_wavelengths(nm, curve, settings.skip.constant_curves);
   };
   const auto largest = [&](const BandTable& t) {
     float most = 0.0f;
@@ -129,7 +129,8 @@ void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
     m.transmits = largest(m.transparency) > static_cast<float>(settings.min_transparency);
     m.lit = !m.diffuse.zero() || !m.specular.zero();
     if (material.texture) {
-      m.texture = plan_texture(plan.textures, *material.texture, scene.images, nm, settings.skip);
+      m.texture = plan_texture(plan.textures, *material.texture, scene.images, nm,
+                               settings.skip.constant_curves);
       m.lit = true;
     }
     m.emits_behind = material.emits_behind;
@@ -145,10 +146,10 @@ void plan_media(const Scene& scene, Plan& plan) {
   plan.vacuum.absorption_per_unit = BandTable(0.0f, plan.grid.count());
   for (const Medium& medium : scene.media) {
     MediumPlan m;
-    m.index = IndexTable(medium.index);
+    m.index = IndexTable(medium.index, plan.settings.skip.constant_indices);
     m.absorption_per_unit = BandTable::at_wavelengths(
         table_wavelengths(plan), medium.absorption_per_mm.scaled(scene.mm_per_unit),
-        plan.settings.skip);
+        plan.settings.skip.constant_curves);
     if (medium.drops && medium.drops->extinction_per_mm > 0.0) {
       m.drops = plan_drops(scene, plan, *medium.drops);
       m.absorption_per_unit = m.absorption_per_unit.plus(

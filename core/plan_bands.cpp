@@ -30,8 +30,9 @@ void find_live_bands(Plan& plan) {
   plan.live_count = static_cast<int>(std::count(plan.live.begin(), plan.live.end(), 1.0f));
   plan.live_first = first;
   plan.live_last = last;
-  plan.first_band = plan.settings.skip ? first : 0;
-  plan.last_band = plan.settings.skip ? last : plan.grid.count();
+  const bool skip = plan.settings.skip.dead_bands;
+  plan.first_band = skip ? first : 0;
+  plan.last_band = skip ? last : plan.grid.count();
   const int dead = plan.grid.count() - (last - first);
   if (dead == 0) return;
   if (first == last) {
@@ -41,7 +42,7 @@ void find_live_bands(Plan& plan) {
   plan.notes.push_back(fmt::format("{} of {} bands carry no light (only {:.1f} to {:.1f} nm do){}",
                                    dead, plan.grid.count(), plan.grid.lower_nm(first),
                                    plan.grid.lower_nm(last),
-                                   plan.settings.skip ? ": left out" : ": carried, as asked"));
+                                   skip ? ": left out" : ": carried, as asked"));
 }
 
 /// Adds what each band counts in the picture of a source: its parts of X, Y and Z, each in

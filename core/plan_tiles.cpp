@@ -40,7 +40,7 @@ bool overlap(const PixelWindow& a, const PixelWindow& b) {
 std::vector<Tile> make_tiles(const Scene& scene, const PixelWindow& window,
                              const RenderSettings& settings) {
   // Where a shape shows through a lens, which blurs and distorts it, is not asked.
-  const bool skip = settings.skip && scene.camera.aperture == 0.0 && !scene.camera.lens;
+  const bool skip = settings.skip.empty_tiles && scene.camera.aperture == 0.0 && !scene.camera.lens;
   std::vector<PixelWindow> shown;
   if (skip) {
     const CameraRays camera(scene.camera, settings.width, settings.height);

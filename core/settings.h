@@ -33,6 +33,19 @@ enum class AdaptiveSampling : std::uint8_t { automatic, on, off };
 /// deviation of half a pixel and ends at 1.5 pixels, `tent` ends at 1, `box` at half a pixel.
 enum class PixelFilter : std::uint8_t { box, tent, gaussian };
 
+/// What a plan leaves out where it finds it to be without effect; no byte of a picture depends on
+/// it. One `bool` stands for all of them.
+struct Skips {
+  bool empty_tiles;      ///< rays where no shape's bounds reach
+  bool dead_bands;       ///< bands in which nothing shines or nothing is seen
+  bool constant_curves;  ///< looking up, band by band, a curve that has one value
+  bool constant_indices; ///< the same for the index of a medium
+
+  constexpr Skips(bool all = true)
+      : empty_tiles(all), dead_bands(all), constant_curves(all), constant_indices(all) {}
+  friend constexpr bool operator==(const Skips&, const Skips&) = default;
+};
+
 inline constexpr int kSamplesPerPixel = 16, kMostSamplesPerPixel = 4096;
 /// Adaptive sampling is `automatic` with fewer samples: errors are then hardly known.
 inline constexpr int kLeastAdaptiveSamples = 8;
@@ -80,8 +93,8 @@ struct RenderSettings {
     return reports_errors() || adaptive == AdaptiveSampling::on;
   }
 
-  int threads = 0;  ///< 0: one per processor
-  bool skip = true; ///< leave out what the plan finds to be without effect
+  int threads = 0; ///< 0: one per processor
+  Skips skip;
   Tracing tracing = Tracing::packets;
 };
 

@@ -282,9 +282,9 @@ RenderSettings overridden(RenderSettings s, const SettingsOverride& given) {
   replace(s.photon_radius, given.photon_radius);
   replace(s.exact, given.exact);
   replace(s.jitter, given.jitter);
-  replace(s.skip, given.skip);
   replace(s.tracing, given.tracing);
   replace(s.observer, given.observer);
+  if (given.skip) s.skip = *given.skip;
   if (given.crop) s.crop = given.crop;
   return s;
 }

@@ -170,26 +170,7 @@ std::optional<EmittedRay> Emitter::from_sun(const SunLight& sun, const Sampler& 
 }
 
 std::optional<EmittedRay> Emitter::from_afar(const dvec3& direction, const Sampler& sampler) const {
-<<<<<<< HEAD
-  const Frame frame(direction);
-  dvec2 u = sampler.pair(kEmissionPoint);
-  const std::size_t chosen = one_of(targets_.size(), u.x);
-  const dvec2 across = targets_[chosen].radius * std::sqrt(u.x) * circle_point(u.y);
-  const dvec3 place = targets_[chosen].center + across.x * frame.x + across.y * frame.y;
-  double density = 0.0, back = 0.0;
-  for (std::size_t i = 0; i < targets_.size(); ++i) {
-    const EmissionTarget& target = targets_[i];
-    const dvec3 apart = place - target.center;
-    const double across2 = glm::dot(apart, apart) - std::pow(glm::dot(apart, direction), 2);
-    if (i == chosen || across2 < target.radius * target.radius)
-      density += 1.0 / (kPi * target.radius * target.radius);
-    // Begin before all of them.
-    back = std::max(back, glm::dot(apart, direction) + 2.0 * target.radius);
-  }
-  density /= static_cast<double>(targets_.size());
-=======
   const ParallelSample line = parallel_->sample(direction, sampler.pair(kEmissionPoint));
->>>>>>> caustics
   EmittedRay ray;
   ray.state.ray = {line.place, direction};
   ray.source = source_;

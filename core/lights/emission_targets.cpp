@@ -116,10 +116,8 @@ double ParallelTargets::area() const {
 ParallelSample ParallelTargets::sample(const dvec3& direction, dvec2 u) const {
   const Frame frame(direction);
   const std::size_t chosen = one_of(balls_.size(), u.x);
-  const double radius = balls_[chosen].radius * std::sqrt(u.x);
-  const double angle = 2.0 * kPi * u.y;
-  const dvec3 place = balls_[chosen].center + radius * std::cos(angle) * frame.x +
-                      radius * std::sin(angle) * frame.y;
+  const dvec2 across = balls_[chosen].radius * std::sqrt(u.x) * circle_point(u.y);
+  const dvec3 place = balls_[chosen].center + across.x * frame.x + across.y * frame.y;
   double density = 0.0;
   for (std::size_t i = 0; i < balls_.size(); ++i) {
     const EmissionTarget& ball = balls_[i];

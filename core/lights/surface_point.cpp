@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace abbe {
 namespace {
@@ -17,8 +16,7 @@ namespace {
 dvec3 sphere_point(const dvec2& u) {
   const double z = 1.0 - 2.0 * u.x;
   const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
-  const double angle = 2.0 * std::numbers::pi * u.y;
-  return {r * std::cos(angle), r * std::sin(angle), z};
+  return {r * circle_point(u.y), z};
 }
 
 } // namespace

@@ -81,3 +81,17 @@ TEST_CASE("the noise of bands by hand") {
   const Film picture = film({{1.1f, 1.5f, 0.0f}, {2.0f, 0.0f, 0.5f}});
   CHECK(band_noise(picture, reference) == Approx((0.01 / 5.0 + 0.25) / 2.0).epsilon(1e-6));
 }
+
+TEST_CASE("a pixel has changed with its colour, its coverage or one band") {
+  const auto film = [](double y, bool covered, float band) {
+    Film result({0, 0, 2, 1}, 0x1p-40, 2);
+    result.add(0, 0, {0.1, 0.2, 0.3}, true, std::vector{1.0f, 2.0f});
+    result.add(1, 0, {0.1, y, 0.3}, covered, std::vector{1.0f, band});
+    return result;
+  };
+  const Film usual = film(0.5, true, 2.0f);
+  CHECK(changed_pixels(usual, film(0.5, true, 2.0f)) == 0);
+  CHECK(changed_pixels(usual, film(0.5 + 0x1p-40, true, 2.0f)) == 1);
+  CHECK(changed_pixels(usual, film(0.5, false, 2.0f)) == 1);
+  CHECK(changed_pixels(usual, film(0.5, true, 2.0f + 0x1p-22f)) == 1);
+}

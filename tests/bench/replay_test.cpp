@@ -49,6 +49,24 @@ TEST_CASE("the record holds every ray that is counted") {
   }
 }
 
+TEST_CASE("with caustics the rays of lamps and of walls are recorded too") {
+  Scene scene = test::project_scene("newton", 16);
+  scene.settings.samples_per_pixel = 1;
+  scene.settings.threads = 1;
+  const World world = build_world(scene);
+  RayRecord record;
+  const Rendering rendering = render_once(scene, make_plan(scene, scene.settings), world, &record);
+  std::vector<RayKind> kinds;
+  RayCounts counts = rendering.rays;
+  for (const RaysOfKind& rays : by_kind(record)) {
+    INFO(bench::name(rays.kind));
+    kinds.push_back(rays.kind);
+    CHECK(rays.states.size() == counts.of(rays.kind));
+    CHECK(query(world, rays, 1) == hits(world, rays));
+  }
+  CHECK(kinds == std::vector(kRayKinds.begin(), kRayKinds.end())); // all of them
+}
+
 TEST_CASE("recording changes nothing of the picture") {
   const Scene scene = [] {
     Scene s = test::project_scene("lens", 16);

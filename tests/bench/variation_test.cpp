@@ -26,13 +26,22 @@ TEST_CASE("a variation changes what it names and nothing else") {
   CHECK(parse_variation("bands=27", usual).settings.bands == 27);
   CHECK(parse_variation("adaptive=on", usual).settings.adaptive == AdaptiveSampling::on);
   CHECK(parse_variation("adaptive=off", usual).settings.adaptive == AdaptiveSampling::off);
+  CHECK(parse_variation("integrator=path", usual).settings.integrator == Integrator::path);
+  CHECK(parse_variation("caustics=off", usual).settings.caustics == Caustics::off);
+  CHECK(parse_variation("caustics=on", usual).settings.caustics == Caustics::on);
+  CHECK(parse_variation("lightpaths=0.25", usual).settings.light_paths == 0.25);
+  RenderSettings path = usual;
+  path.integrator = Integrator::path;
+  CHECK(parse_variation("integrator=whitted", path).settings.integrator == Integrator::whitted);
+  CHECK(parse_variation("default", path).settings.integrator == Integrator::path);
 }
 
 TEST_CASE("what is no variation is refused") {
   const RenderSettings usual;
-  for (const char* text : {"", "fan", "fan=", "fan=0", "fan=406", "fan=7x", "tolerance=nan",
-                           "tolerance=-1", "jitter=maybe", "adaptive=automatic", "noise=2",
-                           "exact=1", "speed=9", "fan=7,", "default,fast"}) {
+  for (const char* text :
+       {"", "fan", "fan=", "fan=0", "fan=406", "fan=7x", "tolerance=nan", "tolerance=-1",
+        "jitter=maybe", "adaptive=automatic", "noise=2", "integrator=bdpt", "caustics=automatic", "lightpaths=-1",
+        "exact=1", "speed=9", "fan=7,", "default,fast"}) {
     INFO(text);
     CHECK_THROWS_AS(parse_variation(text, usual), std::invalid_argument);
   }

@@ -48,3 +48,10 @@ TEST_CASE("an achromatic medium is one number") {
   CHECK(constant.at(kLowerNm) == 1.5);
   CHECK_FALSE(IndexTable(ThesisScaled{1.5, 1.0}).achromatic());
 }
+
+TEST_CASE("an achromatic medium that is tabulated has the same index and stays achromatic") {
+  const IndexTable table(ThesisScaled{1.7, 0.0}, false);
+  CHECK(table.achromatic());
+  for (const double lambda_nm : {kLowerNm, 400.01, 555.5, kUpperNm})
+    CHECK(table.at(lambda_nm) == 1.7);
+}
