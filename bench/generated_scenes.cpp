@@ -71,9 +71,11 @@ Triangles ball_of_triangles(std::size_t count) {
 }
 
 void Stage::add(Shape shape, const Transform& to_world) {
-  const PlacedShape& placed =
-      scene.shapes.emplace_back(std::move(shape), to_world, glass_surface, glass);
-  (void)placed;
+  PlacedShape& placed = scene.shapes.emplace_back();
+  placed.shape = std::move(shape);
+  placed.to_world = to_world;
+  placed.material = glass_surface;
+  placed.medium = glass;
 }
 
 Stage empty_stage() {
