@@ -12,6 +12,13 @@
 using namespace abbe;
 using namespace abbe::bench;
 
+namespace {
+
+/// The kernel may give memory in pages of 2 MiB, some of each used.
+constexpr std::size_t kPages = std::size_t{1} << 23;
+
+} // namespace
+
 TEST_CASE("balls have the triangles that are asked for, and are closed") {
   for (const std::size_t count : {10u, 100u, 1000u, 10000u}) {
     const Triangles ball = ball_of_triangles(count);
@@ -71,13 +78,15 @@ TEST_CASE("the arithmetic loop does all of its work on any number of threads") {
   CHECK(arithmetic_loop(0, 1) == Approx(start));
 }
 
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they keep freed memory
 TEST_CASE("memory that is used is seen") {
   constexpr std::size_t kBytes = std::size_t{1} << 25;
   const std::size_t before = resident_bytes();
   const std::vector<char> used(kBytes, 'x');
   const auto added = added_bytes(before);
   REQUIRE(added);
-  CHECK(static_cast<double>(*added) == Approx(static_cast<double>(kBytes)).epsilon(0.05));
+  CHECK(*added >= kBytes);
+  CHECK(*added < kBytes + kPages);
   CHECK(used[kBytes / 2] == 'x');
   CHECK_FALSE(added_bytes(resident_bytes()));
 }
@@ -94,8 +103,11 @@ TEST_CASE("the memory of triangles is that of their mesh") {
   const auto& nodes = mesh.hierarchy().nodes;
   const std::size_t used = mesh.vertices().size() * sizeof(dvec3) + kTriangles * sizeof(Triangle) +
                            nodes.size() * sizeof(nodes[0]);
-  CHECK(static_cast<double>(*point.bytes) == Approx(static_cast<double>(used)).epsilon(0.1));
+  CHECK(*point.bytes > used / 10 * 9);
+  CHECK(*point.bytes < used + kPages);
 }
+
+#endif
 
 TEST_CASE("every axis gives its points") {
   ScalingOptions options;
