@@ -1,7 +1,10 @@
 #include "geometry/csg.h"
 
+#include "geometry/ball.h"
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace abbe {
 namespace {
@@ -201,25 +204,43 @@ double signed_distance(const CsgTree& tree, const dvec3& point) {
       });
 }
 
+namespace {
+
+/// What a part of a tree lies in: a box, and a ball where spheres make one.
+struct Extent {
+  Bounds box;
+  std::optional<Ball> ball;
+};
+
+Extent common_extent(const Extent& a, const Extent& b) {
+  if (!a.ball || !b.ball) return {a.box.overlap(b.box), a.ball ? a.ball : b.ball};
+  const Ball ball = ball_around_common(*a.ball, *b.ball);
+  const Bounds around{ball.center - ball.radius, ball.center + ball.radius};
+  return {a.box.overlap(b.box).overlap(around), ball};
+}
+
+} // namespace
+
 Bounds bounds(const CsgTree& tree, const Transform& to_world) {
-  return evaluate(
-      tree,
-      [&](const CsgLeaf& leaf) {
-        return std::visit(
-            [&](const auto& solid) { return bounds(solid, to_world.after(leaf.to_tree)); },
-            leaf.solid);
-      },
-      [](CsgOperation operation, const Bounds& left, const Bounds& right) {
-        switch (operation) {
-        case CsgOperation::unite:
-          return left.joined(right);
-        case CsgOperation::intersect:
-          return left.overlap(right);
-        case CsgOperation::subtract:
-          return left;
-        }
-        return left;
-      });
+  const auto of_leaf = [&](const CsgLeaf& leaf) -> Extent {
+    const Transform map = to_world.after(leaf.to_tree);
+    return {std::visit([&](const auto& solid) { return bounds(solid, map); }, leaf.solid),
+            std::holds_alternative<Sphere>(leaf.solid) ? std::optional(image_of_unit_ball(map))
+                                                       : std::nullopt};
+  };
+  const auto combined = [](CsgOperation operation, const Extent& left,
+                           const Extent& right) -> Extent {
+    switch (operation) {
+    case CsgOperation::unite:
+      return {left.box.joined(right.box), std::nullopt};
+    case CsgOperation::intersect:
+      return common_extent(left, right);
+    case CsgOperation::subtract:
+      break;
+    }
+    return left;
+  };
+  return evaluate(tree, of_leaf, combined).box;
 }
 
 } // namespace abbe

@@ -163,3 +163,16 @@ TEST_CASE("csg: bounds hold every member") {
   // Solids that lie apart have nothing in common.
   REQUIRE(bounds(CsgTree(common, ball({0, 0, 0}), ball({0, 5, 0})), Transform()).empty());
 }
+
+// Two balls of radius r, their centres d apart, meet in a circle of radius sqrt(r^2 - d^2 / 4).
+TEST_CASE("csg: a lens of two balls is as wide as the circle in which they meet") {
+  const CsgTree lens(common, ball({0, 0, -0.9}), ball({0, 0, 0.9}));
+  const Bounds box = bounds(lens, Transform());
+  const double rim = std::sqrt(1.0 - 0.81);
+  CHECK(box.upper.x == Approx(rim));
+  CHECK(box.lower.y == Approx(-rim));
+  CHECK(box.upper.z == Approx(0.1));
+  // A small ball deep inside a large one is all there is.
+  const CsgTree moon(common, ball({0, 0, 0}), ball({0, 0, 0}, 0.3));
+  CHECK(bounds(moon, Transform()).upper.x == Approx(0.3));
+}
