@@ -2,6 +2,7 @@
 
 #include "core/denormals.h"
 #include "core/integrators/light_paths.h"
+#include "core/integrators/photon_radius.h"
 #include "core/plan_extent.h"
 #include "core/sampler.h"
 
@@ -9,6 +10,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace abbe {
@@ -20,11 +22,6 @@ constexpr std::uint32_t kChunk = 2048;
 /// Light paths that fill the photon map of one pass; what more there are add splats only.
 constexpr std::uint32_t kMostMapped = 1u << 15;
 
-/// For the first radius: photons that each band shall have within it, photons that are compared,
-/// and those of them whose neighbours are counted.
-constexpr double kPhotonsPerBand = 24.0;
-constexpr std::size_t kMostCompared = 1u << 14, kAsked = 128;
-
 /// A run of one emitter's paths.
 struct Chunk {
   std::size_t emitter;
@@ -35,48 +32,6 @@ struct Chunk {
 constexpr double kLargestPart = 1.0 / 64.0;
 
 } // namespace
-
-double radius_for(std::span<const PhotonBatch> batches, int bands_in_all, double largest) {
-  std::vector<dvec3> places;
-  double bands = 0.0;
-  std::size_t count = 0;
-  for (const PhotonBatch& batch : batches)
-    count += batch.photons.size();
-  if (count == 0) return largest;
-  // Every so many of them stands for those beside it.
-  const std::size_t step = (count + kMostCompared - 1) / kMostCompared;
-  std::size_t i = 0;
-  for (const PhotonBatch& batch : batches)
-    for (const Photon& photon : batch.photons) {
-      bands += photon.last - photon.first;
-      if (i++ % step == 0) places.push_back(photon.position);
-    }
-  // So many photons give each band kPhotonsPerBand: a narrow bundle counts for its bands alone.
-  const double mean_bands = bands / static_cast<double>(count);
-  const double wanted = kPhotonsPerBand * bands_in_all / std::max(mean_bands, 1.0);
-  const auto rank = static_cast<std::size_t>(
-      std::clamp(wanted / static_cast<double>(step), 1.0, static_cast<double>(places.size())));
-  std::vector<double> radii, distances(places.size());
-  const std::size_t stride = std::max<std::size_t>(1, places.size() / kAsked);
-  for (std::size_t p = 0; p < places.size(); p += stride) {
-    for (std::size_t q = 0; q < places.size(); ++q)
-      distances[q] = glm::distance(places[p], places[q]);
-    const auto nth = distances.begin() + static_cast<std::ptrdiff_t>(rank - 1);
-    std::nth_element(distances.begin(), nth, distances.end());
-    radii.push_back(*nth);
-  }
-  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-  std::nth_element(radii.begin(), middle, radii.end());
-  return *middle > 0.0 ? std::min(*middle, largest) : largest;
-}
-
-double photon_radius(double first_radius, int pass) {
-  constexpr double kAlpha = 2.0 / 3.0;
-  double square = first_radius * first_radius;
-  for (int i = 1; i <= pass; ++i)
-    square *= (i + kAlpha) / (i + 1.0);
-  return std::sqrt(square);
-}
 
 LightPasses::LightPasses(const Scene& scene, const Plan& plan, const World& world,
                          const CameraRays* camera, Film& film)
@@ -91,6 +46,7 @@ LightPasses::LightPasses(const Scene& scene, const Plan& plan, const World& worl
 
 RayCounts LightPasses::run(int pass, int samples, const std::atomic<bool>& stop,
                            RayRecord* record) {
+  const auto begin = std::chrono::steady_clock::now();
   const double wanted =
       plan_.settings.light_paths * samples * static_cast<double>(plan_.window.pixel_count());
   const auto paths = static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 0x1p30));
@@ -125,12 +81,12 @@ RayCounts LightPasses::run(int pass, int samples, const std::atomic<bool>& stop,
   film_.add_light_passes(static_cast<double>(done) / static_cast<double>(chunks.size()));
   for (std::size_t e = 0; e < shares.size(); ++e)
     begun_[e] += shares[e];
-  if (!(first_radius_ > 0.0))
-    first_radius_ = radius_for(batches, plan_.grid.count(), largest_radius_);
+  if (!(first_radius_ > 0.0)) first_radius_ = first_photon_radius(batches, largest_radius_);
   map_.build(batches, photon_radius(first_radius_, pass));
   RayCounts total;
   for (const RayCounts& c : counts)
     total += c;
+  seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return total;
 }
 

@@ -23,6 +23,8 @@ public:
   [[nodiscard]] bool needed() const { return !emission_.emitters().empty(); }
   [[nodiscard]] const PhotonMap& map() const { return map_; }
   [[nodiscard]] const Emission& emission() const { return emission_; }
+  /// How long the passes have taken.
+  [[nodiscard]] double seconds() const { return seconds_; }
 
   /// Runs pass number `pass` for `samples` camera samples a pixel, within the current task arena.
   /// Setting `stop` ends it soon.
@@ -36,16 +38,8 @@ private:
   Emission emission_;
   PhotonMap map_;
   double largest_radius_, first_radius_; ///< 0: not known yet
-  std::vector<std::uint32_t> begun_;     ///< by emitter: paths of earlier passes
+  double seconds_ = 0.0;
+  std::vector<std::uint32_t> begun_; ///< by emitter: paths of earlier passes
 };
-
-/// A radius within which photons like these give each of all bands a few dozen, at the median
-/// photon.
-[[nodiscard]] double radius_for(std::span<const PhotonBatch> batches, int bands_in_all,
-                                double largest);
-
-/// The radius of the photon map's pass: its square shrinks as pass^(-1/3) [Knaus11], so that both
-/// noise and blur vanish.
-[[nodiscard]] double photon_radius(double first_radius, int pass);
 
 } // namespace abbe

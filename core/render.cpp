@@ -133,6 +133,7 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, const
   }
   result.rays = meter.rays();
   result.seconds = meter.seconds();
+  result.light_seconds = light_passes.seconds();
   result.open_tiles = settings.noise > 0.0 ? open.size() : 0;
   // A stop after the last tile came too late to matter.
   result.complete = done == most || open.empty() || !stop;

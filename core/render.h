@@ -25,6 +25,7 @@ struct Rendering {
   Film film;
   RayCounts rays = {};
   double seconds = 0.0;
+  double light_seconds = 0.0; ///< of these, in light-side passes
   bool complete = true;       ///< false when it was stopped; not when its time was up
   std::size_t open_tiles = 0; ///< that did not reach `RenderSettings::noise`
 };

@@ -7,11 +7,13 @@
 
 namespace abbe {
 
-/// How many rays were traced, by kind.
+/// How many rays were traced, by kind, and what light paths left behind.
 struct RayCounts {
   std::uint64_t camera = 0, reflected = 0, refracted = 0, spread = 0, shadow = 0, light = 0;
+  std::uint64_t splats = 0, photons = 0; ///< added to the film; kept for the photon map
   RayRecord* record = nullptr; ///< keeps the rays themselves, where somebody wants to know them
 
+  /// Of the rays.
   [[nodiscard]] std::uint64_t total() const {
     return camera + reflected + refracted + spread + shadow + light;
   }
@@ -52,6 +54,8 @@ struct RayCounts {
     spread += other.spread;
     shadow += other.shadow;
     light += other.light;
+    splats += other.splats;
+    photons += other.photons;
     return *this;
   }
 };

@@ -76,6 +76,16 @@ std::string reached(const Rendering& rendering) {
   return text + "\n";
 }
 
+/// What light paths did and how fast, where there are any.
+std::string lighting(const Rendering& rendering) {
+  const RayCounts& rays = rendering.rays;
+  if (rays.light == 0) return "";
+  return fmt::format("light paths: {} in {:.2f} s, {:.2f} million/s; {} splats, {} photons\n",
+                     rays.light, rendering.light_seconds,
+                     million_per_second(rays.light, rendering.light_seconds), rays.splats,
+                     rays.photons);
+}
+
 } // namespace
 
 std::string summary(const Rendering& rendering) {
@@ -85,12 +95,13 @@ std::string summary(const Rendering& rendering) {
          fmt::format("rays: {} camera, {} reflected, {} refracted, {} spread, {} shadow, {} light; "
                      "{} in {:.2f} s, "
                      "{:.2f} Mray/s\n"
+                     "{}"
                      "refused samples: {} not finite, {} negative, {} overflow\n"
                      "peak memory: {:.0f} MiB",
                      rays.camera, rays.reflected, rays.refracted, rays.spread, rays.shadow,
                      rays.light, rays.total(), rendering.seconds,
-                     million_per_second(rays.total(), rendering.seconds), refused.not_finite,
-                     refused.negative, refused.overflow, peak_memory_mib());
+                     million_per_second(rays.total(), rendering.seconds), lighting(rendering),
+                     refused.not_finite, refused.negative, refused.overflow, peak_memory_mib());
 }
 
 } // namespace abbe

@@ -22,8 +22,8 @@ private:
   bool line_open_ = false;
 };
 
-/// The closing summary: samples and error where they are estimated, rays by kind, speed, refused
-/// samples, peak memory.
+/// The closing summary: samples and error where they are estimated, rays by kind, light paths,
+/// speed, refused samples, peak memory.
 [[nodiscard]] std::string summary(const Rendering& rendering);
 
 } // namespace abbe

@@ -176,6 +176,7 @@ void LightPaths::splat(const Hit& hit) {
       flux_ * share_ * column.weight * row.weight / (distance2 * cos_c * cos_c * cos_c * area);
   sums_.clear();
   sums_.add(source_, light_.data(), ones_, static_cast<float>(weight), bundle_.first, bundle_.last);
+  ++counts_->splats;
   film_.add_splat(column.pixel, row.pixel, sums_.color(),
                   film_.bands() > 0 ? sums_.radiance() : std::span<const float>(),
                   numbers(kSplatRounding).x);
@@ -189,6 +190,7 @@ void LightPaths::keep(const Hit& hit) {
   photon.first = bundle_.first;
   photon.last = bundle_.last;
   photon.source = source_;
+  ++counts_->photons;
   photons_->add(photon, throughput_.data() + bundle_.first, flux_ * photon_share_);
 }
 
