@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 
@@ -79,6 +81,15 @@ inline float largest(const Lanes& lanes) {
   if (last - first == 1) return a[first] * c[first] > 0.0f ? a[first] * c[first] : 0.0f;
   const auto step = [](auto lane, auto x, auto y) { return x * y > lane ? x * y : lane; };
   return band_math::largest(band_math::over_lanes(a, c, first, last, step));
+}
+
+/// True when no value is 0 or less.
+[[nodiscard]] inline bool all_above_zero(const float* values, int first, int last) {
+  // A float is positive when its bits, taken as a number, are; those have a least in one step.
+  std::int32_t least = 1;
+  for (int b = first; b < last; ++b)
+    least = std::min(least, std::bit_cast<std::int32_t>(values[b]));
+  return least > 0;
 }
 
 } // namespace abbe

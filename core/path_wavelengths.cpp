@@ -4,8 +4,17 @@ namespace abbe {
 
 PathWavelengths::PathWavelengths(const Plan& plan)
     : plan_(plan), entries_(plan.media.size() + 1 + plan.layers.size()) {
-  for (Entry& entry : entries_)
-    entry.indices.resize(plan.stride, 1.0);
+  std::size_t next = 0;
+  const auto prepare = [&](const IndexTable& index) {
+    Entry& entry = entries_[next++];
+    entry.constant = index.achromatic();
+    entry.indices.resize(plan.stride, entry.constant ? index.at(kLowerNm) : 1.0);
+  };
+  prepare(plan.vacuum.index);
+  for (const MediumPlan& medium : plan.media)
+    prepare(medium.index);
+  for (const IndexTable& layer : plan.layers)
+    prepare(layer);
   wavelengths_nm_.indices.resize(plan.stride, 0.0);
 }
 
@@ -15,7 +24,7 @@ void PathWavelengths::begin_path(double offset) {
 }
 
 const double* PathWavelengths::looked_up(Entry& entry, const IndexTable& index) {
-  if (entry.path != path_) {
+  if (!entry.constant && entry.path != path_) {
     for (int b = 0; b < plan_.grid.count(); ++b)
       entry.indices[static_cast<std::size_t>(b)] = index.at(wavelength_nm(b));
     entry.path = path_;

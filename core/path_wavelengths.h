@@ -28,6 +28,7 @@ private:
   struct Entry {
     std::vector<double> indices;
     std::uint64_t path = 0; ///< the path they were looked up for
+    bool constant = false;  ///< the same for every path
   };
   [[nodiscard]] Entry& entry(MediumId medium) {
     return entries_[medium.valid() ? medium.index() + 1 : 0];

@@ -167,7 +167,8 @@ bool BundleWalk::refract(double chance) {
     BandRange run{band, band};
     while (run.first < bundle_.last && !passes(run.first))
       ++run.first;
-    run.last = run.first;
+    run.last =
+        all_above_zero(throughput_.data(), run.first, bundle_.last) ? bundle_.last : run.first;
     while (run.last < bundle_.last && passes(run.last))
       ++run.last;
     return run;

@@ -136,11 +136,9 @@ void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, Radi
   }
 }
 
-/// How much of what it meets a branch brings to the picture: the largest throughput of its bands,
-/// times n^2 of the medium it goes through, since radiance there is n^2 times that outside.
-double Whitted::importance(const float* throughput, const float* factors, int first, int last,
-                           MediumId medium) {
-  const float most = largest_product(throughput, factors, first, last);
+/// How much of what it meets a branch brings to the picture: `most`, the largest throughput of its
+/// bands, times n^2 of the medium it goes through, since radiance there is n^2 times that outside.
+double Whitted::importance(float most, int first, MediumId medium) {
   const double n = wavelengths_.indices(medium)[first];
   return static_cast<double>(most) * n * n;
 }
@@ -187,7 +185,8 @@ void Whitted::scatter(const Bundle& bundle, const MaterialPlan& material, double
 void Whitted::reflect(const Bundle& bundle, const float* factors, RayCounts& counts) {
   const Hit& hit = bundle.hit;
   const double brought =
-      importance(throughput_.data(), factors, bundle.first, bundle.last, hit.medium_before);
+      importance(largest_product(throughput_.data(), factors, bundle.first, bundle.last),
+                 bundle.first, hit.medium_before);
   if (!(brought > plan_.settings.min_throughput)) return;
   const double survives = chance(brought, {bundle.first, bundle.last});
   if (survives < 1.0 && decisions_.next() >= survives) return;
@@ -222,11 +221,11 @@ void Whitted::refract(const Bundle& bundle, double choice, RayCounts& counts) {
       ++first;
       continue;
     }
-    int last = first + 1;
+    int last = all_above_zero(lit_.data(), first, bundle.last) ? bundle.last : first + 1;
     while (last < bundle.last && passes(last))
       ++last;
     const double brought =
-        importance(lit_.data(), ones_.data(), first, last, bundle.hit.medium_after);
+        importance(largest_of(lit_.data(), first, last), first, bundle.hit.medium_after);
     if (brought > plan_.settings.min_throughput)
       for (const FanCell& cell :
            fan_.refract(bundle, first, last, brought, wavelengths_, choice, counts))

@@ -41,8 +41,7 @@ private:
                RayCounts& counts);
   void reflect(const Bundle& bundle, const float* factors, RayCounts& counts);
   void refract(const Bundle& bundle, double choice, RayCounts& counts);
-  [[nodiscard]] double importance(const float* throughput, const float* factors, int first,
-                                  int last, MediumId medium);
+  [[nodiscard]] double importance(float most, int first, MediumId medium);
   [[nodiscard]] double chance(double importance, BandRange bands) const;
 
   const Scene& scene_;

@@ -3,6 +3,8 @@
 #include "core/materials/fresnel.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 namespace abbe {
 namespace {
@@ -10,10 +12,12 @@ namespace {
 /// True when the medium has one index for all these bands. Most of a scene's glass may disperse,
 /// but where it does not, Fresnel's equations need solving once and not per band.
 bool alike(const double* n, int first, int last) {
-  bool same = true;
+  // By their bits, which whole registers can compare; indices are no zeros of two signs.
+  const auto bits = [n](int b) { return std::bit_cast<std::uint64_t>(n[b]); };
+  std::uint64_t differing = 0;
   for (int b = first; b < last; ++b)
-    same &= n[b] == n[first];
-  return same;
+    differing |= bits(b) ^ bits(first);
+  return differing == 0;
 }
 
 struct Parts {
