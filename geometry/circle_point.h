@@ -31,7 +31,7 @@ using glm::dvec2;
   return {1.0 + a2 * c, a + a * (a2 * s)};
 }
 
-/// The point of the unit circle after so many turns, a few at most, counter-clockwise from (1, 0).
+/// The point of the unit circle after so many turns, fewer than 2^29, counter-clockwise from (1, 0).
 [[nodiscard]] inline dvec2 circle_point(double turns) {
   constexpr double kQuarter = 1.57079632679489661923;
   const double quarters = 4.0 * turns;
