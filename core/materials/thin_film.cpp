@@ -26,24 +26,31 @@ double airy(Complex y0, Complex y1, Complex y2, Complex turn) {
 }
 
 /// The same without absorption and without total reflection in the film, where all but the turn is
-/// real: `phase_cosine` is the turn's real part.
+/// real: with r_01 = a / b and r_12 = c / d, over one denominator. `phase_cosine` is the turn's
+/// real part.
 double airy(double y0, double y1, double y2, double phase_cosine) {
-  const double r01 = (y0 - y1) / (y0 + y1), r12 = (y1 - y2) / (y1 + y2);
-  const double product = r01 * r12, both = 2.0 * product * phase_cosine;
-  return (r01 * r01 + r12 * r12 + both) / (1.0 + product * product + both);
+  const double a = y0 - y1, b = y0 + y1, c = y1 - y2, d = y1 + y2;
+  const double both = 2.0 * (a * b) * (c * d) * phase_cosine;
+  const double ad = a * d, cb = c * b, bd = b * d, ac = a * c;
+  return (ad * ad + cb * cb + both) / (bd * bd + ac * ac + both);
 }
 
-double mean_of_polarisations(double cos_i, double n_before, double n_film, double n_behind,
-                             double across, double turns_per_index) {
+/// As thin_film_reflectance. The admittances for p are n^2 / z, here times all three z.
+double clear_film_reflectance(double cos_i, double n_before, double n_film, double n_behind,
+                              double across, double turns_per_index) {
   const double z0 = n_before * cos_i;
   const double z1 = std::sqrt(n_film * n_film - across * across);
   const double z2 = std::sqrt(n_behind * n_behind - across * across);
   const double cosine = circle_point(turns_per_index * z1).x;
   const double s = airy(z0, z1, z2, cosine);
-  const double p =
-      airy(n_before * n_before / z0, n_film * n_film / z1, n_behind * n_behind / z2, cosine);
+  const double p = airy(n_before * n_before * (z1 * z2), n_film * n_film * (z0 * z2),
+                        n_behind * n_behind * (z0 * z1), cosine);
   return std::clamp(0.5 * (s + p), 0.0, 1.0);
 }
+
+/// Near the film's critical angle the real form loses places by cancellation, as 1 over the square
+/// of its cosine; farther off than this it keeps twelve.
+constexpr double kLeastCosine2 = 1e-4;
 
 } // namespace
 
@@ -53,9 +60,9 @@ double thin_film_reflectance(double cos_i, double n_before, double n_film, Compl
   if (n_behind.imag() == 0.0 && across >= n_behind.real()) return 1.0;
   const double z0 = n_before * cos_i;
   if (z0 == 0.0) return 1.0;
-  if (n_behind.imag() == 0.0 && across < n_film)
-    return mean_of_polarisations(cos_i, n_before, n_film, n_behind.real(), across,
-                                 2.0 * thickness_nm / lambda_nm);
+  if (n_behind.imag() == 0.0 && across * across < (1.0 - kLeastCosine2) * (n_film * n_film))
+    return clear_film_reflectance(cos_i, n_before, n_film, n_behind.real(), across,
+                                  2.0 * thickness_nm / lambda_nm);
   Complex z1 = along_normal(n_film, across);
   // At the film's critical angle the quotients below are 0 / 0 with a limit. Rounding of n^2 - s^2
   // leaves z1 uncertain by this much, so it may as well be it.
