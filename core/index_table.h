@@ -26,6 +26,21 @@ public:
     const double f = x - static_cast<double>(i);
     return samples_[i] + f * (samples_[i + 1] - samples_[i]);
   }
+  /// The same at `count` wavelengths at equal distances.
+  void fill(double first_nm, double step_nm, int count, double* indices) const {
+    if (samples_.size() == 1) {
+      std::fill_n(indices, count, samples_[0]);
+      return;
+    }
+    const double x = (first_nm - kLowerNm) / kStepNm, step = step_nm / kStepNm;
+    const double* samples = samples_.data();
+    const int last = static_cast<int>(samples_.size()) - 2;
+    for (int k = 0; k < count; ++k) {
+      const double at = x + step * k;
+      const int i = std::min(static_cast<int>(at), last);
+      indices[k] = samples[i] + (at - i) * (samples[i + 1] - samples[i]);
+    }
+  }
   [[nodiscard]] bool achromatic() const { return achromatic_; }
 
 private:

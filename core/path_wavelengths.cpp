@@ -25,8 +25,13 @@ void PathWavelengths::begin_path(double offset) {
 
 const double* PathWavelengths::looked_up(Entry& entry, const IndexTable& index) {
   if (!entry.constant && entry.path != path_) {
-    for (int b = 0; b < plan_.grid.count(); ++b)
-      entry.indices[static_cast<std::size_t>(b)] = index.at(wavelength_nm(b));
+    const BandGrid& grid = plan_.grid;
+    if (plan_.lines.empty())
+      index.fill(grid.wavelength_nm(0, offset_), grid.width_nm(), grid.count(),
+                 entry.indices.data());
+    else
+      for (int b = 0; b < grid.count(); ++b)
+        entry.indices[static_cast<std::size_t>(b)] = index.at(wavelength_nm(b));
     entry.path = path_;
   }
   return entry.indices.data();

@@ -29,6 +29,7 @@ private:
 
   const Plan& plan_;
   std::vector<double> sums_; ///< in double: deep trees add millions of faint terms
+  BandRange used_;           ///< the sums outside are 0
   std::vector<float> radiance_;
 };
 

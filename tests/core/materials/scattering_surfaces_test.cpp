@@ -146,3 +146,32 @@ TEST_CASE("only glass spreads light through") {
   CHECK_FALSE(through("glass N-BK7 diffuse 1 1 1 cube"));
   CHECK_FALSE(through("metal Al roughness 0.5 cube"));
 }
+
+// Over all numbers each part is followed as often as the chance says by which it is weighed.
+TEST_CASE("branches are followed with the chances that are told") {
+  for (const char* text : {"glass SF11 cube", "diffuse 0.5 0.5 0.5 ambient 0 0 0 coat 1.5 cube"}) {
+    const Plan plan = planned(text);
+    Surface surface(plan, 0.4, Transport::radiance);
+    const Scattering& s = surface.scattering();
+    const Scattering::Choice last = s.choose(1.0 - 1e-9), first = s.choose(0.0);
+    const double reflect = (first.kind == ScatterKind::reflect ? first : last).chance;
+    for (const double eagerness : {0.0, 1.0, 2.0, 1.01 / reflect, 1000.0}) {
+      CAPTURE(text, eagerness);
+      constexpr int kNumbers = 10000;
+      double reflected = 0.0, on = 0.0;
+      int none = 0;
+      for (int i = 0; i < kNumbers; ++i) {
+        const auto branches = s.branch((i + 0.5) / kNumbers, eagerness);
+        const bool goes_on = branches.on.kind != ScatterKind::none;
+        if (branches.reflect_chance > 0.0) reflected += 1.0 / branches.reflect_chance / kNumbers;
+        if (goes_on) on += 1.0 / branches.on.chance / kNumbers;
+        none += branches.reflect_chance == 0.0 && !goes_on;
+        if (eagerness * reflect > 1.0) CHECK(branches.reflect_chance == 1.0);
+        if (eagerness <= 1.0) CHECK((branches.reflect_chance > 0.0) != goes_on);
+      }
+      CHECK(reflected == Approx(1.0).epsilon(2e-3));
+      CHECK(on == Approx(1.0).epsilon(2e-3));
+      CHECK(none == 0);
+    }
+  }
+}
