@@ -12,7 +12,8 @@
 namespace abbe {
 
 /// Global illumination by random paths from the camera [Kajiya86], per band, for whole bundles of
-/// bands: one way on from each surface, lamps aimed at wherever light is spread, both ways of
+/// bands: one way on from each surface, two where the camera sees glass by glass and mirrors alone;
+/// lamps aimed at wherever light is spread, both ways of
 /// reaching a lamp weighed against each other [Veach97], and paths that carry little ended at
 /// random. Unbiased at a fixed number of samples.
 ///
