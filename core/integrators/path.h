@@ -13,9 +13,8 @@ namespace abbe {
 
 /// Global illumination by random paths from the camera [Kajiya86], per band, for whole bundles of
 /// bands: one way on from each surface, two where the camera sees glass by glass and mirrors alone;
-/// lamps aimed at wherever light is spread, both ways of
-/// reaching a lamp weighed against each other [Veach97], and paths that carry little ended at
-/// random. Unbiased at a fixed number of samples.
+/// lamps aimed at wherever light is spread, both ways of reaching a lamp weighed against each other
+/// [Veach97], and paths that carry little ended at random. Unbiased at a fixed number of samples.
 ///
 /// With light-side passes, light that reaches a spreading surface through glass or by mirrors comes
 /// from the photon map, and camera paths leave it out; see docs/decisions/caustics.md.
