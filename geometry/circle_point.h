@@ -31,7 +31,8 @@ using glm::dvec2;
   return {1.0 + a2 * c, a + a * (a2 * s)};
 }
 
-/// The point of the unit circle after so many turns, fewer than 2^29, counter-clockwise from (1, 0).
+/// The point of the unit circle after so many turns, fewer than 2^29, counter-clockwise from (1,
+/// 0).
 [[nodiscard]] inline dvec2 circle_point(double turns) {
   constexpr double kQuarter = 1.57079632679489661923;
   const double quarters = 4.0 * turns;
@@ -47,6 +48,26 @@ using glm::dvec2;
   default:
     return {p.y, -p.x};
   }
+}
+
+/// The cosine after so many turns, fewer than 2^52, without a branch: loops of it go several at
+/// once.
+[[nodiscard]] inline double cosine_of_turns(double turns) {
+  constexpr double kTurn = 6.28318530717958647693;
+  // cos(2 pi r) = sin(2 pi (1/4 - |r|)), r the way to the nearest whole turn
+  const double a = kTurn * (0.25 - std::abs(turns - std::floor(turns + 0.5)));
+  const double a2 = a * a;
+  double s = 1.0 / 51090942171709440000.0;
+  s = s * a2 - 1.0 / 121645100408832000.0;
+  s = s * a2 + 1.0 / 355687428096000.0;
+  s = s * a2 - 1.0 / 1307674368000.0;
+  s = s * a2 + 1.0 / 6227020800.0;
+  s = s * a2 - 1.0 / 39916800.0;
+  s = s * a2 + 1.0 / 362880.0;
+  s = s * a2 - 1.0 / 5040.0;
+  s = s * a2 + 1.0 / 120.0;
+  s = s * a2 - 1.0 / 6.0;
+  return a + a * (a2 * s);
 }
 
 } // namespace abbe

@@ -7,6 +7,13 @@
 #include <utility>
 
 namespace abbe {
+namespace {
+
+Fractions without_loss(double reflected) {
+  return {reflected, 1.0 - reflected};
+}
+
+} // namespace
 
 Fractions SurfaceOptics::fractions(int b, double cos_i) const {
   const bool film_shows = film.thickness_nm > 0.0;
@@ -27,13 +34,18 @@ Fractions SurfaceOptics::fractions(int b, double cos_i) const {
       film_shows ? thin_film_reflectance(cos_i, n_before[b], film.index[b], n_after[b],
                                          film.thickness_nm, film.lambda_nm[b])
                  : fresnel_reflectance(cos_i, *cos_t, eta);
-  return {reflected, 1.0 - reflected};
+  return without_loss(reflected);
 }
 
 void scatter_smooth(const SurfaceOptics& optics, double cos_i, int first, int last,
                     Transport transport, float* reflected, float* transmitted) {
+  const bool clear_film = optics.film.thickness_nm > 0.0 && !optics.opaque && optics.fresnel;
+  if (clear_film)
+    thin_film_reflectances(cos_i, optics.n_before, optics.film.index, optics.n_after,
+                           optics.film.thickness_nm, optics.film.lambda_nm, first, last, reflected);
   for (int b = first; b < last; ++b) {
-    const Fractions f = optics.fractions(b, cos_i);
+    const Fractions f =
+        clear_film ? without_loss(static_cast<double>(reflected[b])) : optics.fractions(b, cos_i);
     reflected[b] = static_cast<float>(f.reflected * optics.reflection_scale(b));
     if (!transmitted) continue;
     const double ratio =

@@ -36,12 +36,13 @@ double airy(double y0, double y1, double y2, double phase_cosine) {
 }
 
 /// As thin_film_reflectance. The admittances for p are n^2 / z, here times all three z.
-double clear_film_reflectance(double cos_i, double n_before, double n_film, double n_behind,
-                              double across, double turns_per_index) {
-  const double z0 = n_before * cos_i;
-  const double z1 = std::sqrt(n_film * n_film - across * across);
-  const double z2 = std::sqrt(n_behind * n_behind - across * across);
-  const double cosine = circle_point(turns_per_index * z1).x;
+[[gnu::always_inline]] inline double clear_film_reflectance(double z0, double n_before,
+                                                            double n_film, double n_behind,
+                                                            double across2,
+                                                            double turns_per_index) {
+  const double z1 = std::sqrt(std::max(n_film * n_film - across2, 0.0));
+  const double z2 = std::sqrt(std::max(n_behind * n_behind - across2, 0.0));
+  const double cosine = cosine_of_turns(turns_per_index * z1);
   const double s = airy(z0, z1, z2, cosine);
   const double p = airy(n_before * n_before * (z1 * z2), n_film * n_film * (z0 * z2),
                         n_behind * n_behind * (z0 * z1), cosine);
@@ -52,6 +53,11 @@ double clear_film_reflectance(double cos_i, double n_before, double n_film, doub
 /// of its cosine; farther off than this it keeps twelve.
 constexpr double kLeastCosine2 = 1e-4;
 
+/// True where the real form holds, and light goes through to the medium behind.
+bool is_clear(double n_film, double n_behind, double across2) {
+  return across2 < (1.0 - kLeastCosine2) * (n_film * n_film) && across2 < n_behind * n_behind;
+}
+
 } // namespace
 
 double thin_film_reflectance(double cos_i, double n_before, double n_film, Complex n_behind,
@@ -60,8 +66,8 @@ double thin_film_reflectance(double cos_i, double n_before, double n_film, Compl
   if (n_behind.imag() == 0.0 && across >= n_behind.real()) return 1.0;
   const double z0 = n_before * cos_i;
   if (z0 == 0.0) return 1.0;
-  if (n_behind.imag() == 0.0 && across * across < (1.0 - kLeastCosine2) * (n_film * n_film))
-    return clear_film_reflectance(cos_i, n_before, n_film, n_behind.real(), across,
+  if (n_behind.imag() == 0.0 && is_clear(n_film, n_behind.real(), across * across))
+    return clear_film_reflectance(z0, n_before, n_film, n_behind.real(), across * across,
                                   2.0 * thickness_nm / lambda_nm);
   Complex z1 = along_normal(n_film, across);
   // At the film's critical angle the quotients below are 0 / 0 with a limit. Rounding of n^2 - s^2
@@ -74,6 +80,20 @@ double thin_film_reflectance(double cos_i, double n_before, double n_film, Compl
   const double p =
       airy(n_before * n_before / z0, n_film * n_film / z1, n_behind * n_behind / z2, turn);
   return std::min(1.0, 0.5 * (s + p));
+}
+
+void thin_film_reflectances(double cos_i, const double* n_before, const double* n_film,
+                            const double* n_behind, double thickness_nm, const double* lambda_nm,
+                            int first, int last, float* reflectances) {
+  const double sine2 = std::max(0.0, 1.0 - cos_i * cos_i);
+  for (int b = first; b < last; ++b)
+    reflectances[b] = static_cast<float>(clear_film_reflectance(
+        n_before[b] * cos_i, n_before[b], n_film[b], n_behind[b], n_before[b] * n_before[b] * sine2,
+        2.0 * thickness_nm / lambda_nm[b]));
+  for (int b = first; b < last; ++b)
+    if (cos_i == 0.0 || !is_clear(n_film[b], n_behind[b], n_before[b] * n_before[b] * sine2))
+      reflectances[b] = static_cast<float>(thin_film_reflectance(
+          cos_i, n_before[b], n_film[b], n_behind[b], thickness_nm, lambda_nm[b]));
 }
 
 } // namespace abbe

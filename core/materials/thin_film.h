@@ -16,4 +16,9 @@ namespace abbe {
                                            std::complex<double> n_behind, double thickness_nm,
                                            double lambda_nm);
 
+/// The same between clear media for bands [first, last), several at once.
+void thin_film_reflectances(double cos_i, const double* n_before, const double* n_film,
+                            const double* n_behind, double thickness_nm, const double* lambda_nm,
+                            int first, int last, float* reflectances);
+
 } // namespace abbe

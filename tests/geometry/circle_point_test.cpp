@@ -29,3 +29,12 @@ TEST_CASE("small angles keep their relative precision") {
   for (double a = 0.785; a > 1e-300; a *= 0.3)
     CHECK(std::abs(small_angle_point(a).y / std::sin(a) - 1.0) < 4e-16);
 }
+
+TEST_CASE("the cosine after some turns is that of the circle's point") {
+  const long double turn = 2.0L * std::numbers::pi_v<long double>;
+  for (int i = -9000; i <= 9000; ++i) {
+    const double turns = i / 3000.0 + (i % 11) * 1e-6;
+    CAPTURE(turns);
+    CHECK(std::abs(cosine_of_turns(turns) - static_cast<double>(std::cos(turn * turns))) < 1e-15);
+  }
+}

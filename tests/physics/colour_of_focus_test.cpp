@@ -85,17 +85,17 @@ double at_nm(const std::array<double, 81>& focus, double nm) {
 
 TEST_CASE("each band comes to its focus where the lensmaker's formula has it") {
   const double infinite = std::numeric_limits<double>::infinity();
-  const std::string glass = GENERATE("N-SF11", "SF11", "N-BK7");
-  for (const Lens& lens : {Lens{39.24, infinite, 4.0}, Lens{60.0, -60.0, 5.0}}) {
-    const auto focus = smallest_spots(lens, glass);
-    const auto exact = [&](double nm) {
-      return paraxial_focus(lens, refractive_index(find_glass(glass)->dispersion, nm));
-    };
-    for (int b = 0; b < 81; ++b) {
-      INFO(glass << ", " << 380 + 5 * b << " nm, radius " << lens.r1);
-      CHECK(focus[static_cast<std::size_t>(b)] == Approx(exact(380.0 + 5.0 * b)).epsilon(1e-4));
+  for (const std::string glass : {"N-SF11", "SF11", "N-BK7"})
+    for (const Lens& lens : {Lens{39.24, infinite, 4.0}, Lens{60.0, -60.0, 5.0}}) {
+      const auto focus = smallest_spots(lens, glass);
+      const auto exact = [&](double nm) {
+        return paraxial_focus(lens, refractive_index(find_glass(glass)->dispersion, nm));
+      };
+      for (int b = 0; b < 81; ++b) {
+        INFO(glass << ", " << 380 + 5 * b << " nm, radius " << lens.r1);
+        CHECK(focus[static_cast<std::size_t>(b)] == Approx(exact(380.0 + 5.0 * b)).epsilon(1e-4));
+      }
+      constexpr double kF = 486.1327, kC = 656.2725;
+      CHECK(at_nm(focus, kC) - at_nm(focus, kF) == Approx(exact(kC) - exact(kF)).epsilon(2e-3));
     }
-    constexpr double kF = 486.1327, kC = 656.2725;
-    CHECK(at_nm(focus, kC) - at_nm(focus, kF) == Approx(exact(kC) - exact(kF)).epsilon(2e-3));
-  }
 }
