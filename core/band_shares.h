@@ -12,7 +12,7 @@ namespace abbe {
 /// One band for each of n parts of equal share, each kept by the same number u, is a lattice on the
 /// bands. Parts of equal width would spend half their rays where the eye sees next to nothing;
 /// parts by what the eye sees have weights that jump where it sees little. Shares in proportion to
-/// the cube root of that lie between, and have the least noise for 3 to 16 parts;
+/// the cube root of that lie between, and have little noise from 3 parts on;
 /// docs/decisions/bundles.md has the figures.
 class BandShares {
 public:
