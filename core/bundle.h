@@ -30,6 +30,23 @@ struct Bundle {
   [[nodiscard]] int bands() const { return last - first; }
 };
 
+/// Makes `next`, which may be `bundle` itself, set off from its hit along a direction, untraced.
+/// `through`: to the other side of the surface. Its bands and density are the caller's.
+inline void set_off(const Bundle& bundle, const dvec3& direction, bool through, Bundle& next) {
+  const Hit& hit = bundle.hit;
+  next.position_spread = bundle.position_spread + bundle.direction_spread * hit.t;
+  next.direction_spread = bundle.direction_spread;
+  next.path_length = bundle.path_length + hit.t;
+  next.passed = 0.0;
+  next.depth = bundle.depth + 1;
+  next.spreads = bundle.spreads;
+  next.first_spread = bundle.first_spread;
+  next.spread = bundle.spread;
+  next.state.ray = {hit.point, direction};
+  next.state.contacts = through ? hit.other_side : hit.same_side;
+  next.state.nesting = through ? hit.nesting_after : hit.nesting_before;
+}
+
 /// One of the bundles that a camera sample starts with; its ray and what that meets lie beside it.
 /// A sample's bands have one bundle together, unless a lens has parted them; bands that are not in
 /// any carry nothing.

@@ -58,7 +58,10 @@ Bundle& BundleWalk::push(int first, int last, const float* factors, double weigh
   float* target = throughputs_.data() + waiting_count_ * plan_.stride;
   for (int b = first; b < last; ++b)
     target[b] = throughput_[static_cast<std::size_t>(b)] * factors[b] * w;
-  return waiting_[waiting_count_++];
+  Bundle& next = waiting_[waiting_count_++];
+  next.first = first;
+  next.last = last;
+  return next;
 }
 
 bool BundleWalk::resume() {
@@ -99,29 +102,16 @@ bool BundleWalk::survives(MediumId medium) {
   return true;
 }
 
-/// Makes `next`, which may be `from` itself, go on from its hit along a direction, traced.
-/// `through`: to the other side of the surface. Its bands and density are the caller's.
-void BundleWalk::trace(const Bundle& from, const dvec3& direction, bool through, RayKind kind,
-                       Bundle& next) {
-  const Hit& hit = from.hit;
-  next.position_spread = from.position_spread + from.direction_spread * hit.t;
-  next.direction_spread = from.direction_spread;
-  next.path_length = from.path_length + hit.t;
-  next.passed = 0.0;
-  next.depth = from.depth + 1;
-  next.spreads = from.spreads;
-  next.first_spread = from.first_spread;
-  next.spread = from.spread;
-  next.state.ray = {hit.point, direction};
-  next.state.contacts = through ? hit.other_side : hit.same_side;
-  next.state.nesting = through ? hit.nesting_after : hit.nesting_before;
+void BundleWalk::trace_from(const Bundle& from, const dvec3& direction, bool through, RayKind kind,
+                            Bundle& next) {
+  set_off(from, direction, through, next);
   world_.find_closest(next.state, next.hit);
   counts_->add(kind, next.state);
 }
 
 bool BundleWalk::leave(const dvec3& direction, bool through, RayKind kind) {
   if (!survives(through ? bundle_.hit.medium_after : bundle_.hit.medium_before)) return false;
-  trace(bundle_, direction, through, kind, bundle_);
+  trace_from(bundle_, direction, through, kind, bundle_);
   return true;
 }
 
@@ -138,10 +128,8 @@ bool BundleWalk::reflect(double chance) {
 
 void BundleWalk::branch_off_reflection(double chance) {
   Bundle& next = push(bundle_.first, bundle_.last, scattering_.reflected(), 1.0 / chance);
-  next.first = bundle_.first;
-  next.last = bundle_.last;
   next.density = 0.0;
-  trace(bundle_, reflected_direction(), false, RayKind::reflected, next);
+  trace_from(bundle_, reflected_direction(), false, RayKind::reflected, next);
 }
 
 bool BundleWalk::spread(const dvec3& direction, const float* f_cos, double density, double weight) {

@@ -21,7 +21,7 @@ protected:
   [[nodiscard]] dvec2 numbers(SamplePurpose purpose) const;
 
   /// Room for a bundle of bands [first, last) that waits for its turn, with the current throughput
-  /// times factors per band and a weight. The bundle itself is the caller's to fill; what was there
+  /// times factors per band and a weight. All but its bands is the caller's to fill; what was there
   /// before is of no use.
   [[nodiscard]] Bundle& push(int first, int last, const float* factors, double weight);
   /// Takes up the bundle that was pushed last. False when none waits.
@@ -55,6 +55,9 @@ protected:
   Bundle bundle_;                 ///< on its way
   std::vector<float> throughput_; ///< of it
 
+  /// As set_off, and traced.
+  void trace_from(const Bundle& from, const dvec3& direction, bool through, RayKind kind,
+                  Bundle& next);
   /// What the bundle would bring of the picture's light in a medium, up to 1 for all bands: see
   /// BandShares.
   [[nodiscard]] double share(MediumId medium);
@@ -62,7 +65,6 @@ protected:
 private:
   [[nodiscard]] dvec3 reflected_direction() const;
   bool leave(const dvec3& direction, bool through, RayKind kind);
-  void trace(const Bundle& from, const dvec3& direction, bool through, RayKind kind, Bundle& next);
   [[nodiscard]] double importance(MediumId medium);
   bool survives(MediumId medium);
 

@@ -122,15 +122,9 @@ void LightPaths::go_on_from_spread(const Hit& hit) {
   if (!(scattering_.evaluate(way.direction, light_.data()) > 0.0)) return;
   const bool through = (glm::dot(way.direction, hit.normal) > 0.0) != hit.entering;
   Bundle& next = push(bundle_.first, bundle_.last, light_.data(), 1.0 / way.density);
-  next = bundle_;
-  next.state.ray = {hit.point, way.direction};
-  next.state.contacts = through ? hit.other_side : hit.same_side;
-  next.state.nesting = through ? hit.nesting_after : hit.nesting_before;
+  trace_from(bundle_, way.direction, through, RayKind::spread, next);
   next.density = way.density;
   next.spreads = 1;
-  ++next.depth;
-  world_.find_closest(next.state, next.hit);
-  counts_->add(RayKind::spread, next.state);
 }
 
 /// Connects the surface with the eye. With the pixels' area A at unit distance along the axis, a

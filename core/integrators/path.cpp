@@ -111,8 +111,7 @@ bool Path::go_on() {
 Scattering::Choice Path::branch() {
   if (scattering_.certain()) return scattering_.choose(0.0);
   const double u = numbers(kScatter).x;
-  if (bundle_.spread) return scattering_.choose(u);
-  const double eagerness = share(bundle_.hit.medium_before) / kBranchShare;
+  const double eagerness = bundle_.spread ? 0.0 : share(bundle_.hit.medium_before) / kBranchShare;
   const auto [reflect_chance, on] = scattering_.branch(u, eagerness);
   if (reflect_chance == 0.0) return on;
   if (on.kind == ScatterKind::none) return {ScatterKind::reflect, reflect_chance};

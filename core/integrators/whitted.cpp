@@ -41,7 +41,10 @@ Bundle& Whitted::push(int first, int last, const float* throughput, float factor
   float* target = row(waiting_count_);
   for (int b = first; b < last; ++b)
     target[b] = throughput[b] * factor;
-  return waiting_[waiting_count_++];
+  Bundle& next = waiting_[waiting_count_++];
+  next.first = first;
+  next.last = last;
+  return next;
 }
 
 void Whitted::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
@@ -193,18 +196,9 @@ void Whitted::reflect(const Bundle& bundle, const float* factors, RayCounts& cou
   for (int b = bundle.first; b < bundle.last; ++b)
     lit_[static_cast<std::size_t>(b)] = throughput_[static_cast<std::size_t>(b)] * factors[b];
   Bundle& next = push(bundle.first, bundle.last, lit_.data(), static_cast<float>(1.0 / survives));
-  next.first = bundle.first;
-  next.last = bundle.last;
-  next.direction_spread = bundle.direction_spread;
-  next.state.ray.origin = hit.point;
-  next.state.ray.direction =
-      reflected(bundle.state.ray.direction, hit.entering ? hit.normal : -hit.normal);
-  next.state.contacts = hit.same_side;
-  next.state.nesting = hit.nesting_before;
-  next.depth = bundle.depth + 1;
-  next.path_length = bundle.path_length + hit.t;
-  next.position_spread = bundle.position_spread + bundle.direction_spread * hit.t;
-  next.passed = 0.0;
+  next.density = bundle.density;
+  set_off(bundle, reflected(bundle.state.ray.direction, hit.entering ? hit.normal : -hit.normal),
+          false, next);
   world_.find_closest(next.state, next.hit);
   counts.add(RayKind::reflected, next.state);
 }

@@ -25,7 +25,7 @@ public:
 
 private:
   /// Room for a bundle of bands [first, last) that waits for its turn; its throughput is the row of
-  /// the same number. The bundle is the caller's to fill; what was there before is of no use.
+  /// the same number. All but its bands is the caller's to fill; what was there is of no use.
   [[nodiscard]] Bundle& push(int first, int last, const float* throughput, float factor);
   [[nodiscard]] float* row(std::size_t i) { return throughputs_.data() + i * plan_.stride; }
 

@@ -1,6 +1,7 @@
 #include "core/noise.h"
 #include "core/tile_renderer.h"
 #include "tests/catch.h"
+#include "tests/core/same_pixels.h"
 #include "tests/render_text.h"
 
 #include <cmath>
@@ -41,14 +42,6 @@ Rendering render_with(Scene scene, int samples) {
   return test::render_scene(scene, false);
 }
 
-bool same(const Film& a, const Film& b) {
-  const PixelWindow w = a.window();
-  for (int y = w.y0; y < w.y1; ++y)
-    for (int x = w.x0; x < w.x1; ++x)
-      if (!(a.color(x, y) == b.color(x, y)) || a.samples(x, y) != b.samples(x, y)) return false;
-  return true;
-}
-
 /// The relative mean squared error in linear R, G, B.
 double relative_mse(const Film& film, const Film& reference) {
   const PixelWindow w = film.window();
@@ -76,10 +69,10 @@ TEST_CASE("adaptive sampling gives the same bytes on any number of threads") {
     const Rendering one = render_with(scene, 32);
     for (const int threads : {2, 7}) {
       scene.settings.threads = threads;
-      CHECK(same(render_with(scene, 32).film, one.film));
+      CHECK(test::same_pixels(render_with(scene, 32).film, one.film));
     }
     scene.settings.seed = 1;
-    CHECK_FALSE(same(render_with(scene, 32).film, one.film));
+    CHECK_FALSE(test::same_pixels(render_with(scene, 32).film, one.film));
   }
 }
 
@@ -151,7 +144,7 @@ TEST_CASE("time that is never up leaves adaptive sampling what it is") {
   Scene scene = ball();
   const Rendering plain = render_with(scene, 64);
   scene.settings.seconds = 1e9;
-  CHECK(same(render_with(scene, 64).film, plain.film));
+  CHECK(test::same_pixels(render_with(scene, 64).film, plain.film));
 }
 
 TEST_CASE("progress with adaptive sampling grows to 1") {

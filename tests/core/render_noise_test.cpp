@@ -1,5 +1,6 @@
 #include "core/noise.h"
 #include "tests/catch.h"
+#include "tests/core/same_pixels.h"
 #include "tests/render_text.h"
 
 #include <cmath>
@@ -39,14 +40,6 @@ Rendering render_with(Scene scene, double noise, int most) {
   scene.settings.noise = noise;
   scene.settings.samples_per_pixel = most;
   return test::render_scene(scene, false);
-}
-
-bool same(const Film& a, const Film& b) {
-  const PixelWindow w = a.window();
-  for (int y = w.y0; y < w.y1; ++y)
-    for (int x = w.x0; x < w.x1; ++x)
-      if (!(a.color(x, y) == b.color(x, y)) || a.samples(x, y) != b.samples(x, y)) return false;
-  return true;
 }
 
 /// `relative_error` with the true error, against a picture of many samples.
@@ -121,10 +114,10 @@ TEST_CASE("a noise target gives the same bytes on any number of threads") {
   const Rendering one = render_with(scene, 0.01, 64);
   for (const int threads : {2, 7}) {
     scene.settings.threads = threads;
-    CHECK(same(render_with(scene, 0.01, 64).film, one.film));
+    CHECK(test::same_pixels(render_with(scene, 0.01, 64).film, one.film));
   }
   scene.settings.seed = 1;
-  CHECK_FALSE(same(render_with(scene, 0.01, 64).film, one.film));
+  CHECK_FALSE(test::same_pixels(render_with(scene, 0.01, 64).film, one.film));
 }
 
 TEST_CASE("a tile needs no neighbours: a crop along tiles has the samples of the whole") {
@@ -170,7 +163,7 @@ TEST_CASE("time that is never up changes nothing") {
   Scene scene = ball();
   const Rendering noise = render_with(scene, 0.02, 64);
   scene.settings.seconds = 1e9;
-  CHECK(same(render_with(scene, 0.02, 64).film, noise.film));
+  CHECK(test::same_pixels(render_with(scene, 0.02, 64).film, noise.film));
 }
 
 TEST_CASE("a stop is told from time that is up") {
