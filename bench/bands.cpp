@@ -1,4 +1,5 @@
 #include "bench/bands.h"
+#include "core/planning/make_plan.h"
 
 #include <array>
 

@@ -1,4 +1,5 @@
 #include "bench/error.h"
+#include "core/planning/make_plan.h"
 
 #include <fmt/format.h>
 

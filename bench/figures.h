@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bench/timing.h"
-#include "core/settings.h"
+#include "core/scene/settings.h"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #include "bench/generated_scenes.h"
 
-#include "io/read_scene.h"
+#include "io/scene_language/read_scene.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include "bench/compare.h"
 #include "bench/measure.h"
 #include "bench/write_html.h"
-#include "io/atomic_file.h"
-#include "io/command_line.h"
-#include "io/token.h"
+#include "io/files/atomic_file.h"
+#include "io/program/command_line.h"
+#include "io/text/token.h"
 
 #include <fmt/format.h>
 

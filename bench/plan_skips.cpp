@@ -1,4 +1,5 @@
 #include "bench/plan_skips.h"
+#include "core/planning/make_plan.h"
 
 #include "bench/image_error.h"
 

@@ -1,4 +1,5 @@
 #include "bench/rays.h"
+#include "core/planning/make_plan.h"
 
 #include <algorithm>
 

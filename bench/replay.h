@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/ray_record.h"
+#include "core/bundles/ray_record.h"
 #include "geometry/world.h"
 
 #include <array>

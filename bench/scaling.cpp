@@ -1,4 +1,5 @@
 #include "bench/scaling.h"
+#include "core/planning/make_plan.h"
 
 #include "bench/generated_scenes.h"
 #include "bench/memory.h"

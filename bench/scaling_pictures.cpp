@@ -1,6 +1,7 @@
 #include "bench/arithmetic_loop.h"
 #include "bench/memory.h"
 #include "bench/scaling.h"
+#include "core/planning/make_plan.h"
 
 #include <algorithm>
 

@@ -1,7 +1,8 @@
 #include "bench/setup.h"
+#include "core/planning/plan_extent.h"
 
 #include "bench/timing.h"
-#include "io/read_scene.h"
+#include "io/scene_language/read_scene.h"
 
 #include <algorithm>
 

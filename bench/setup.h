@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/plan.h"
-#include "core/render.h"
+#include "core/plan/plan.h"
+#include "core/render/render.h"
 #include "geometry/world.h"
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/settings.h"
+#include "core/scene/settings.h"
 
 #include <string>
 #include <string_view>

@@ -12,8 +12,14 @@ if(ABBE_SANITIZE)
   target_link_options(abbe_flags INTERFACE -fsanitize=${ABBE_SANITIZE})
 endif()
 
+# Headers that most files read, parsed once per library: half of the time to compile is theirs.
+set(ABBE_PRECOMPILED
+  <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <span>
+  <stdexcept> <string> <variant> <vector>)
+
 # abbe_add_library(folder source...): the static library abbe_<folder> of one folder.
 function(abbe_add_library folder)
   add_library(abbe_${folder} STATIC ${ARGN})
   target_link_libraries(abbe_${folder} PUBLIC abbe_flags)
+  target_precompile_headers(abbe_${folder} PRIVATE ${ABBE_PRECOMPILED})
 endfunction()

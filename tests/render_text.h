@@ -1,8 +1,10 @@
 #pragma once
 
-#include "core/plan.h"
-#include "core/render.h"
-#include "io/read_scene.h"
+#include "core/plan/plan.h"
+#include "core/planning/make_plan.h"
+#include "core/planning/plan_extent.h"
+#include "core/render/render.h"
+#include "io/scene_language/read_scene.h"
 
 #include <atomic>
 #include <string>

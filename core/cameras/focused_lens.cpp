@@ -1,6 +1,6 @@
 #include "core/cameras/focused_lens.h"
 
-#include "core/camera.h"
+#include "core/cameras/camera.h"
 #include "geometry/lens.h"
 #include "spectral/fraunhofer.h"
 

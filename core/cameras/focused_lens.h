@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/cameras/lens_system.h"
-#include "core/scene.h"
+#include "core/scene/scene.h"
 
 namespace abbe {
 

@@ -2,8 +2,8 @@
 
 #include "geometry/disc_point.h"
 
-#include "core/camera.h"
-#include "core/sampler.h"
+#include "core/cameras/camera.h"
+#include "core/sampling/sampler.h"
 
 #include <cmath>
 

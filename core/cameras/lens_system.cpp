@@ -1,6 +1,6 @@
 #include "core/cameras/lens_system.h"
 
-#include "core/materials/fresnel.h"
+#include "core/optics/fresnel.h"
 #include "spectral/fraunhofer.h"
 
 #include <fmt/format.h>

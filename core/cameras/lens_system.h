@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/cameras/lens_prescription.h"
-#include "core/index_table.h"
+#include "core/bands/index_table.h"
+#include "core/scene/lens_prescription.h"
 #include "geometry/ray.h"
 
 #include <optional>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/camera.h"
+#include "core/cameras/camera.h"
 #include "core/cameras/lens_camera.h"
-#include "core/settings.h"
+#include "core/scene/settings.h"
 #include "geometry/world.h"
 
 #include <optional>

@@ -1,8 +1,8 @@
 #include "core/integrators/bundle_walk.h"
 
-#include "core/band_math.h"
-#include "core/materials/fresnel.h"
-#include "core/materials/surface_finish.h"
+#include "core/bands/band_math.h"
+#include "core/optics/fresnel.h"
+#include "core/scattering/surface_finish.h"
 
 #include <algorithm>
 

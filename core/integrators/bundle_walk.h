@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/fan.h"
-#include "core/materials/scattering.h"
-#include "core/sampler.h"
+#include "core/bundles/fan.h"
+#include "core/sampling/sampler.h"
+#include "core/scattering/scattering.h"
 
 #include <vector>
 

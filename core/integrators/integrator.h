@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/bundle.h"
-#include "core/radiance_sums.h"
-#include "core/sampler.h"
-#include "core/statistics.h"
+#include "core/bundles/bundle.h"
+#include "core/bundles/statistics.h"
+#include "core/film/radiance_sums.h"
+#include "core/sampling/sampler.h"
 
 namespace abbe {
 

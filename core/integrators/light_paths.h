@@ -1,12 +1,12 @@
 #pragma once
 
-#include "core/camera.h"
-#include "core/film.h"
+#include "core/cameras/camera.h"
+#include "core/film/film.h"
+#include "core/film/radiance_sums.h"
 #include "core/integrators/bundle_walk.h"
 #include "core/integrators/photon_map.h"
 #include "core/integrators/shadow.h"
-#include "core/lights/emission.h"
-#include "core/radiance_sums.h"
+#include "core/lamps/emission.h"
 
 namespace abbe {
 

@@ -2,10 +2,10 @@
 
 #include "core/integrators/bundle_walk.h"
 #include "core/integrators/integrator.h"
+#include "core/integrators/light_pass.h"
 #include "core/integrators/shadow.h"
 #include "core/integrators/single_scatter.h"
-#include "core/light_pass.h"
-#include "core/lights/lamps.h"
+#include "core/lamps/lamps.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 #include "core/integrators/shadow.h"
 
 #include "core/integrators/absorption.h"
-#include "core/materials/dielectric.h"
-#include "core/materials/material_optics.h"
+#include "core/scattering/dielectric.h"
+#include "core/scattering/material_optics.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/path_wavelengths.h"
-#include "core/statistics.h"
+#include "core/bundles/path_wavelengths.h"
+#include "core/bundles/statistics.h"
 #include "geometry/world.h"
 
 #include <vector>

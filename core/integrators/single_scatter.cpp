@@ -1,8 +1,8 @@
 #include "core/integrators/single_scatter.h"
 
+#include "core/emitters/illumination.h"
 #include "core/integrators/absorption.h"
 #include "core/integrators/unseen_boundary.h"
-#include "core/lights/illumination.h"
 
 #include <glm/geometric.hpp>
 

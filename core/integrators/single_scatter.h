@@ -1,10 +1,10 @@
 #pragma once
 
-#include "core/bundle.h"
+#include "core/bundles/bundle.h"
+#include "core/film/radiance_sums.h"
 #include "core/integrators/shadow.h"
-#include "core/lights/lamps.h"
-#include "core/radiance_sums.h"
-#include "core/sampler.h"
+#include "core/lamps/lamps.h"
+#include "core/sampling/sampler.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/bundle.h"
-#include "core/statistics.h"
+#include "core/bundles/bundle.h"
+#include "core/bundles/statistics.h"
 #include "geometry/world.h"
 
 namespace abbe {

@@ -1,12 +1,12 @@
 #include "core/integrators/whitted.h"
 
-#include "core/band_math.h"
-#include "core/lights/illumination.h"
-#include "core/materials/coated_diffuse.h"
-#include "core/materials/conductor.h"
-#include "core/materials/fresnel.h"
-#include "core/materials/material_optics.h"
-#include "core/materials/surface_finish.h"
+#include "core/bands/band_math.h"
+#include "core/emitters/illumination.h"
+#include "core/optics/coated_diffuse.h"
+#include "core/optics/fresnel.h"
+#include "core/scattering/conductor.h"
+#include "core/scattering/material_optics.h"
+#include "core/scattering/surface_finish.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/fan.h"
+#include "core/bundles/fan.h"
 #include "core/integrators/integrator.h"
 #include "core/integrators/shadow.h"
 #include "core/integrators/single_scatter.h"
-#include "core/lights/lamps.h"
-#include "core/materials/dielectric.h"
+#include "core/lamps/lamps.h"
+#include "core/scattering/dielectric.h"
 
 #include <vector>
 

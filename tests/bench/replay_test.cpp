@@ -1,5 +1,6 @@
 #include "bench/replay.h"
 #include "bench/setup.h"
+#include "core/planning/make_plan.h"
 #include "tests/catch.h"
 #include "tests/render_text.h"
 

@@ -1,3 +1,4 @@
+#include "core/planning/make_plan.h"
 #include "tests/image/picture.h"
 
 #include "tests/io/temporary_folder.h"

@@ -2,7 +2,8 @@
 // of a patch sends out reflectance times the lamp's spectrum, so each pixel that lies wholly inside
 // a patch has the patch's XYZ: the sum over 81 bands of reflectance x light x observer [CIE15].
 
-#include "core/develop.h"
+#include "core/image/develop.h"
+#include "core/planning/make_plan.h"
 #include "spectral/color_difference.h"
 #include "spectral/illuminant.h"
 #include "spectral/observer.h"

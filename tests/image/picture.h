@@ -1,6 +1,8 @@
 #pragma once
 
-#include "core/develop.h"
+#include "core/image/develop.h"
+#include "core/planning/make_plan.h"
+#include "core/planning/plan_extent.h"
 #include "tests/catch.h"
 #include "tests/render_text.h"
 

@@ -7,6 +7,7 @@
 // is nearly normal, its square summed over n pixels a chi-square of n, with mean n and variance 2
 // n.
 
+#include "core/planning/plan_extent.h"
 #include "spectral/observer.h"
 #include "tests/catch.h"
 #include "tests/render_text.h"

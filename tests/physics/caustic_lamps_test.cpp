@@ -1,4 +1,5 @@
-#include "core/lights/emission.h"
+#include "core/lamps/emission.h"
+#include "core/planning/make_plan.h"
 #include "spectral/glass.h"
 #include "tests/catch.h"
 #include "tests/seeds.h"

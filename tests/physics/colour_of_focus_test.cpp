@@ -1,4 +1,6 @@
 #include "core/integrators/light_paths.h"
+#include "core/planning/make_plan.h"
+#include "core/planning/plan_extent.h"
 #include "spectral/glass.h"
 #include "tests/catch.h"
 #include "tests/render_text.h"

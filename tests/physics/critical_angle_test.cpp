@@ -1,4 +1,4 @@
-#include "core/materials/fresnel.h"
+#include "core/optics/fresnel.h"
 #include "tests/catch.h"
 #include "tests/physics/refraction.h"
 

@@ -1,4 +1,4 @@
-#include "core/materials/dielectric.h"
+#include "core/scattering/dielectric.h"
 #include "tests/catch.h"
 
 #include <cmath>

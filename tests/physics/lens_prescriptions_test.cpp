@@ -1,5 +1,5 @@
 #include "tests/catch.h"
-#include "tests/io/read_scene_helpers.h"
+#include "tests/io/scene_language/read_scene_helpers.h"
 #include "tests/physics/refraction.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/materials/fresnel.h"
+#include "core/optics/fresnel.h"
 #include "geometry/world.h"
 #include "spectral/glass.h"
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -38,36 +39,36 @@ constexpr Permission kPermissions[] = {
     {"core/", "spectral/"},
     {"core/", "glm/"},
     {"core/", "fmt/"},
-    {"core/light_pass.cpp", "tbb/"},
-    {"core/render.cpp", "tbb/"},
-    {"core/sample_allocation.cpp", "tbb/"},
-    {"core/file_backed_sums.cpp", "fcntl.h"},
-    {"core/file_backed_sums.cpp", "sys/mman.h"},
-    {"core/file_backed_sums.cpp", "unistd.h"},
-    {"core/denormals.h", "immintrin.h"}, // flushes denormal numbers
+    {"core/integrators/light_pass.cpp", "tbb/"},
+    {"core/render/render.cpp", "tbb/"},
+    {"core/adaptive/sample_allocation.cpp", "tbb/"},
+    {"core/film/file_backed_sums.cpp", "fcntl.h"},
+    {"core/film/file_backed_sums.cpp", "sys/mman.h"},
+    {"core/film/file_backed_sums.cpp", "unistd.h"},
+    {"core/bundles/denormals.h", "immintrin.h"}, // flushes denormal numbers
     {"io/", "io/"},
     {"io/", "core/"},
     {"io/", "geometry/"},
     {"io/", "spectral/"},
     {"io/", "glm/"},
     {"io/", "fmt/"},
-    {"io/command_line.cpp", "CLI/"},
-    {"io/read_environment.cpp", "OpenEXR/"},
-    {"io/read_environment.cpp", "Imath/"}, // a part of OpenEXR
-    {"io/read_mesh.cpp", "assimp/"},
-    {"io/read_exr.cpp", "OpenEXR/"},
-    {"io/read_exr.cpp", "Imath/"},
-    {"io/read_png.cpp", "png.h"},
-    {"io/write_exr.cpp", "OpenEXR/"},
-    {"io/write_exr.cpp", "Imath/"}, // a part of OpenEXR
-    {"io/write_tiff.cpp", "tiffio.h"},
-    {"io/write_png.cpp", "png.h"},
-    {"io/icc_profile.cpp", "lcms2.h"},
-    {"io/atomic_file.cpp", "fcntl.h"},
-    {"io/atomic_file.cpp", "unistd.h"},
-    {"io/main.cpp", "unistd.h"},
-    {"io/progress.cpp", "sys/resource.h"},
-    {"io/progress.cpp", "unistd.h"},
+    {"io/program/command_line.cpp", "CLI/"},
+    {"io/images/read_environment.cpp", "OpenEXR/"},
+    {"io/images/read_environment.cpp", "Imath/"}, // a part of OpenEXR
+    {"io/meshes/read_mesh.cpp", "assimp/"},
+    {"io/images/read_exr.cpp", "OpenEXR/"},
+    {"io/images/read_exr.cpp", "Imath/"},
+    {"io/images/read_png.cpp", "png.h"},
+    {"io/images/write_exr.cpp", "OpenEXR/"},
+    {"io/images/write_exr.cpp", "Imath/"}, // a part of OpenEXR
+    {"io/images/write_tiff.cpp", "tiffio.h"},
+    {"io/images/write_png.cpp", "png.h"},
+    {"io/images/icc_profile.cpp", "lcms2.h"},
+    {"io/files/atomic_file.cpp", "fcntl.h"},
+    {"io/files/atomic_file.cpp", "unistd.h"},
+    {"io/program/main.cpp", "unistd.h"},
+    {"io/program/progress.cpp", "sys/resource.h"},
+    {"io/program/progress.cpp", "unistd.h"},
     {"tests/", ""},
     {"bench/", ""},
 };
@@ -83,11 +84,42 @@ bool may_include(std::string_view file, std::string_view include) {
          });
 }
 
+/// The rooms of a folder, each of which may include those named before it, but none after it.
+constexpr std::string_view kFloors[] = {
+    "core/scene/",   "core/bands/",       "core/optics/",       "core/emitters/",
+    "core/drops/",   "core/plan/",        "core/sampling/",     "core/cameras/",
+    "core/film/",    "core/adaptive/",    "core/bundles/",      "core/scattering/",
+    "core/lamps/",   "core/integrators/", "core/image/",        "core/planning/",
+    "core/render/",  "io/files/",         "io/text/",           "io/images/",
+    "io/libraries/", "io/meshes/",        "io/scene_language/", "io/program/"};
+
+/// The number of the room in which a file lies; none for a file outside the rooms.
+std::optional<std::size_t> floor_of(std::string_view path) {
+  for (std::size_t i = 0; i < std::size(kFloors); ++i)
+    if (path.starts_with(kFloors[i])) return i;
+  return std::nullopt;
+}
+
+bool points_upwards(std::string_view file, std::string_view include) {
+  const auto from = floor_of(file), to = floor_of(include);
+  return from && to && *to > *from;
+}
+
 std::vector<std::string> forbidden_includes(const Tree& tree) {
   std::vector<std::string> result;
   for (const auto& [path, file] : tree)
     for (const std::string& include : file.includes)
-      if (!may_include(path, include)) result.push_back(path + " includes " + include);
+      if (!may_include(path, include) || points_upwards(path, include))
+        result.push_back(path + " includes " + include);
+  return result;
+}
+
+/// Files of core and io that lie in no room.
+std::vector<std::string> without_a_room(const Tree& tree) {
+  std::vector<std::string> result;
+  for (const auto& [path, file] : tree)
+    if ((path.starts_with("core/") || path.starts_with("io/")) && !floor_of(path))
+      result.push_back(path);
   return result;
 }
 
@@ -176,6 +208,10 @@ TEST_CASE("includes point downwards, and each third party stands behind one file
   CHECK(forbidden_includes(project()) == kNothing);
 }
 
+TEST_CASE("every file of core and io lies in a room") {
+  CHECK(without_a_room(project()) == kNothing);
+}
+
 TEST_CASE("no header includes itself, however far around") {
   CHECK(include_cycles(project()) == kNothing);
 }
@@ -188,19 +224,26 @@ TEST_CASE("each rule finds what breaks it") {
   const auto broken = [](const std::string& path, const std::string& include) {
     return !forbidden_includes({{path, {{include}, 1}}}).empty();
   };
-  CHECK_FALSE(broken("core/fan.cpp", "vector"));
-  CHECK_FALSE(broken("core/fan.cpp", "geometry/world.h"));
+  CHECK_FALSE(broken("core/bundles/fan.cpp", "vector"));
+  CHECK_FALSE(broken("core/bundles/fan.cpp", "geometry/world.h"));
   CHECK(broken("spectral/curve.h", "geometry/ray.h"));
   CHECK(broken("spectral/curve.h", "glm/vec3.hpp"));
   CHECK(broken("geometry/ray.h", "spectral/curve.h"));
   CHECK(broken("geometry/sphere.cpp", "embree3/rtcore.h"));
-  CHECK(broken("geometry/sphere.cpp", "core/plan.h"));
-  CHECK(broken("core/plan.cpp", "io/token.h"));
-  CHECK(broken("core/plan.cpp", "tbb/parallel_for.h"));
-  CHECK(broken("core/plan.cpp", "embree3/rtcore.h"));
-  CHECK(broken("io/main.cpp", "CLI/CLI.hpp"));
-  CHECK(broken("io/write_tiff.cpp", "OpenEXR/ImfHeader.h"));
-  CHECK(broken("io/main.cpp", "tests/catch.h"));
+  CHECK(broken("geometry/sphere.cpp", "core/plan/plan.h"));
+  CHECK(broken("core/plan/plan.cpp", "io/text/token.h"));
+  CHECK(broken("core/plan/plan.cpp", "tbb/parallel_for.h"));
+  CHECK(broken("core/plan/plan.cpp", "embree3/rtcore.h"));
+  CHECK(broken("io/program/main.cpp", "CLI/CLI.hpp"));
+  CHECK(broken("io/images/write_tiff.cpp", "OpenEXR/ImfHeader.h"));
+  CHECK(broken("io/program/main.cpp", "tests/catch.h"));
+
+  CHECK_FALSE(broken("core/film/film.h", "core/scene/pixel_window.h"));
+  CHECK(broken("core/scene/scene.h", "core/film/film.h"));
+  CHECK(broken("core/lamps/lamps.cpp", "core/integrators/path.h"));
+  CHECK(broken("io/images/write_exr.cpp", "io/program/command_line.h"));
+  CHECK(without_a_room({{"core/fan.h", {{}, 1}}, {"core/bundles/fan.h", {{}, 1}}}) ==
+        std::vector<std::string>{"core/fan.h"});
 
   const Tree ring{{"a.h", {{"b.h"}, 1}}, {"b.h", {{"c.h", "vector"}, 1}}, {"c.h", {{"b.h"}, 1}}};
   CHECK(include_cycles(ring) == std::vector<std::string>{"b.h -> c.h -> b.h"});

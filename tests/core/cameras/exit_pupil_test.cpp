@@ -1,6 +1,6 @@
 #include "core/cameras/exit_pupil.h"
 
-#include "core/sampler.h"
+#include "core/sampling/sampler.h"
 #include "tests/catch.h"
 #include "tests/core/cameras/lens_file.h"
 

@@ -1,6 +1,6 @@
 #include "core/cameras/lens_camera.h"
 
-#include "core/sampler.h"
+#include "core/sampling/sampler.h"
 #include "spectral/fraunhofer.h"
 #include "tests/catch.h"
 #include "tests/core/cameras/lens_file.h"

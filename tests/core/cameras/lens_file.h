@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/cameras/lens_system.h"
-#include "io/read_lens_prescription.h"
+#include "io/libraries/read_lens_prescription.h"
 
 #include <filesystem>
 #include <string>

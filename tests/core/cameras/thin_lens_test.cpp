@@ -1,5 +1,5 @@
-#include "core/camera.h"
-#include "core/sampler.h"
+#include "core/cameras/camera.h"
+#include "core/sampling/sampler.h"
 #include "geometry/disc_point.h"
 #include "tests/catch.h"
 #include "tests/render_text.h"

@@ -1,7 +1,7 @@
 // Rough, filmed and coated surfaces under the path tracer.
 
-#include "core/materials/rough_conductor.h"
-#include "core/materials/rough_dielectric.h"
+#include "core/optics/rough_conductor.h"
+#include "core/optics/rough_dielectric.h"
 #include "tests/catch.h"
 #include "tests/render_text.h"
 

@@ -1,4 +1,4 @@
-#include "core/media/drop_phase_function.h"
+#include "core/drops/drop_phase_function.h"
 #include "tests/catch.h"
 #include "tests/render_text.h"
 

@@ -1,8 +1,8 @@
 // Films and coats as whitted shows them, against their closed forms at normal incidence.
 
-#include "core/materials/conductor.h"
-#include "core/materials/diffuse_fresnel.h"
-#include "core/materials/fresnel.h"
+#include "core/optics/diffuse_fresnel.h"
+#include "core/optics/fresnel.h"
+#include "core/scattering/conductor.h"
 #include "spectral/metal.h"
 #include "tests/catch.h"
 #include "tests/render_text.h"

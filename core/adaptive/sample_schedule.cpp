@@ -1,0 +1,52 @@
+#include "core/adaptive/sample_schedule.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace abbe {
+namespace {
+
+constexpr int kSamplesPerPass = 16;
+
+int largest_power_of_two(int most) {
+  return static_cast<int>(std::bit_floor(static_cast<unsigned>(most)));
+}
+
+} // namespace
+
+SampleSchedule::SampleSchedule(const RenderSettings& settings)
+    : most_(settings.samples_per_pixel), adaptive_(settings.adaptive == AdaptiveSampling::on),
+      timed_(settings.seconds > 0.0) {}
+
+int SampleSchedule::end_of_round(int done) const {
+  if (!adaptive_) return most_;
+  // A quarter of all samples to begin with. A pixel's error needs two.
+  if (done == 0)
+    return std::min(std::clamp(largest_power_of_two(most_) / 4, 2, kSamplesPerPass), most_);
+  const int power = largest_power_of_two(done);
+  const int next = done == power ? power + std::max(power / 2, 1) : 2 * power;
+  return next <= most_ - next / 4 ? next : most_; // no short round at the end
+}
+
+bool SampleSchedule::in_hurry(int done) const {
+  return timed_ && done < kSamplesPerPass;
+}
+
+int SampleSchedule::end_of_pass(int done, int round_end) const {
+  return std::min(done + (in_hurry(done) ? std::max(done, 1) : kSamplesPerPass), round_end);
+}
+
+int SampleSchedule::passes(int done, int round_end) {
+  return (round_end - done + kSamplesPerPass - 1) / kSamplesPerPass;
+}
+
+int SampleSchedule::end_of_light_pass(int done, int pass_end) const {
+  return in_hurry(done) ? pass_end : std::min(done + kSamplesPerPass, most_);
+}
+
+bool SampleSchedule::may_end(int samples) const {
+  const int power = largest_power_of_two(samples);
+  return samples >= kSamplesPerPass && (samples == power || samples == power + power / 2);
+}
+
+} // namespace abbe

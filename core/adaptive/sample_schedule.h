@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/scene/settings.h"
+
+namespace abbe {
+
+/// When a rendering does what, in samples a pixel, in the mean where pixels differ. Samples are
+/// rendered in passes, so that a stopped picture is noisy but whole. With adaptive sampling some
+/// passes make a round: what its pixels get is decided at its beginning.
+class SampleSchedule {
+public:
+  /// As a plan has them.
+  explicit SampleSchedule(const RenderSettings& settings);
+
+  /// Where the round that begins after `done` samples ends. With adaptive sampling the first round
+  /// goes to all pixels alike, and rounds end after 2, 3, 4, 6, 8 ... samples. Else there is one.
+  [[nodiscard]] int end_of_round(int done) const;
+  /// Where the pass that begins after `done` samples ends, in a round that ends at `round_end`.
+  [[nodiscard]] int end_of_pass(int done, int round_end) const;
+  /// In how many passes a round goes from `done` to `round_end`.
+  [[nodiscard]] static int passes(int done, int round_end);
+  /// For how many samples light paths are followed before a pass that begins after `done` samples
+  /// and ends at `pass_end`.
+  [[nodiscard]] int end_of_light_pass(int done, int pass_end) const;
+  /// True where tiles may be done: at 16, 24, 32, 48 ... samples. Asked more often, more tiles
+  /// would end by luck; docs/decisions/noise.md has figures.
+  [[nodiscard]] bool may_end(int samples) const;
+
+private:
+  /// Time that is running out must leave a whole picture, so the first passes are then short.
+  [[nodiscard]] bool in_hurry(int done) const;
+
+  int most_;
+  bool adaptive_, timed_;
+};
+
+} // namespace abbe

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "spectral/band_grid.h"
+#include "spectral/curve.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace abbe {
+
+/// Band arrays are padded to a multiple of this many floats, so that loops run in whole registers.
+inline constexpr std::size_t kBandPadding = 16;
+
+[[nodiscard]] constexpr std::size_t padded_band_count(int bands) {
+  return (static_cast<std::size_t>(bands) + kBandPadding - 1) / kBandPadding * kBandPadding;
+}
+
+/// A curve at the bands of a grid. A constant one knows it, so that loops need not look it up.
+class BandTable {
+public:
+  BandTable() : BandTable(0.0f, 0) {}
+  /// The same value in every band.
+  BandTable(float constant, int bands)
+      : values_(padded_band_count(bands), constant), constant_(constant), zero_(constant == 0.0f) {}
+  /// One value per band.
+  explicit BandTable(const std::vector<double>& values);
+  /// The curve's value at every band's centre. With `keep_constant` off a constant curve is stored
+  /// like any other.
+  [[nodiscard]] static BandTable at_centers(const BandGrid& grid, const Curve& curve,
+                                            bool keep_constant);
+
+  /// The same at any wavelengths, one per band.
+  [[nodiscard]] static BandTable at_wavelengths(const std::vector<double>& nm, const Curve& curve,
+                                                bool keep_constant);
+
+  /// The same with a number added in every one of its bands.
+  [[nodiscard]] BandTable plus(float addend, int bands) const;
+
+  [[nodiscard]] bool zero() const { return zero_; }
+  [[nodiscard]] std::optional<float> constant() const { return constant_; }
+  [[nodiscard]] float operator[](int band) const { return values_[static_cast<std::size_t>(band)]; }
+  [[nodiscard]] const float* data() const { return values_.data(); }
+
+  /// The values, to be overwritten: from now on the table passes for one that varies.
+  [[nodiscard]] float* varying() {
+    constant_.reset();
+    zero_ = false;
+    return values_.data();
+  }
+
+private:
+  std::vector<float> values_;
+  std::optional<float> constant_;
+  bool zero_ = false;
+};
+
+/// A lamp's strength, for shares between lamps: the mean over the bands, since colours that the
+/// eye hardly sees are light too.
+[[nodiscard]] double band_mean(const Curve& spectrum, const BandGrid& grid);
+
+} // namespace abbe

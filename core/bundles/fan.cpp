@@ -1,0 +1,277 @@
+#include "core/bundles/fan.h"
+
+#include "core/optics/fresnel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abbe {
+
+Fan::Fan(const Plan& plan, const World& world, double pixel_angle)
+    : plan_(plan), world_(world), tolerance_(plan.settings.tolerance_pixels * pixel_angle),
+      states_(2 * static_cast<std::size_t>(plan.grid.count())), hits_(states_.size()),
+      ray_of_band_(static_cast<std::size_t>(plan.grid.count())) {}
+
+void Fan::prepare(const Bundle& bundle, int first, int last, PathWavelengths& wavelengths) {
+  incoming_ = &bundle;
+  const Hit& hit = bundle.hit;
+  const dvec3& direction = bundle.state.ray.direction;
+  facing_normal_ = hit.entering ? hit.normal : -hit.normal;
+  cos_i_ = std::min(1.0, std::abs(glm::dot(direction, facing_normal_)));
+  n_before_ = wavelengths.indices(hit.medium_before);
+  n_after_ = wavelengths.indices(hit.medium_after);
+  std::fill(ray_of_band_.begin() + first, ray_of_band_.begin() + last, -1);
+  ray_count_ = traced_count_ = 0;
+  cells_.clear();
+  // Snell's law, differentiated: a small change of the incoming direction comes out scaled by
+  // n_i cos i / (n_t cos t).
+  const int middle = (first + last) / 2;
+  const double eta = n_after_[middle] / n_before_[middle];
+  const double cos_t = refracted_cosine(cos_i_, eta).value_or(0.0);
+  position_spread_ = bundle.position_spread + bundle.direction_spread * hit.t;
+  carried_direction_spread_ = bundle.direction_spread * cos_i_ / std::max(eta * cos_t, 1e-3);
+}
+
+dvec3 Fan::refracted_direction(double n_before, double n_after) const {
+  const double eta = n_after / n_before;
+  const double cos_t = refracted_cosine(cos_i_, eta).value_or(0.0);
+  return refracted(incoming_->state.ray.direction, facing_normal_, cos_i_, cos_t, eta);
+}
+
+/// The incoming ray refracted; its number.
+std::size_t Fan::add_ray(double n_before, double n_after) {
+  const Hit& hit = incoming_->hit;
+  RayState& state = states_[ray_count_];
+  state.ray.origin = hit.point;
+  state.ray.direction = refracted_direction(n_before, n_after);
+  state.contacts = hit.other_side;
+  state.nesting = hit.nesting_after;
+  return ray_count_++;
+}
+
+const dvec3& Fan::direction_of(int band) const {
+  return states_[static_cast<std::size_t>(ray_of_band_[static_cast<std::size_t>(band)])]
+      .ray.direction;
+}
+
+const Hit& Fan::hit_of(int band) const {
+  return hits_[static_cast<std::size_t>(ray_of_band_[static_cast<std::size_t>(band)])];
+}
+
+void Fan::want(int band) {
+  int& ray = ray_of_band_[static_cast<std::size_t>(band)];
+  if (ray < 0) ray = static_cast<int>(add_ray(n_before_[band], n_after_[band]));
+}
+
+void Fan::trace_new_rays(RayCounts& counts) {
+  if (traced_count_ == ray_count_) return;
+  const std::size_t count = ray_count_ - traced_count_;
+  const auto states = std::span(states_).subspan(traced_count_, count);
+  world_.find_closest(states, std::span(hits_).subspan(traced_count_, count),
+                      plan_.settings.tracing);
+  counts.add(RayKind::refracted, states);
+  traced_count_ = ray_count_;
+}
+
+void Fan::add_band(int band, float weight) {
+  const auto ray = static_cast<std::size_t>(ray_of_band_[static_cast<std::size_t>(band)]);
+  cells_.push_back({band, band + 1, weight, false, &states_[ray], &hits_[ray]});
+}
+
+FanCell& Fan::add_shared_ray(BandRange range, double n_before, double n_after) {
+  const std::size_t ray = add_ray(n_before, n_after);
+  return cells_.emplace_back(FanCell{range.first, range.last, 1.0f, true, &states_[ray],
+                                     &hits_[ray], position_spread_, carried_direction_spread_});
+}
+
+void Fan::add_shared(BandRange range, PathWavelengths& wavelengths) {
+  const Hit& hit = incoming_->hit;
+  const double parted = glm::distance(direction_of(range.first), direction_of(range.last - 1));
+  add_shared_ray(range, wavelengths.shared_index(hit.medium_before, range.first, range.last),
+                 wavelengths.shared_index(hit.medium_after, range.first, range.last))
+      .direction_spread += parted;
+}
+
+void Fan::add_undivided(BandRange range) {
+  add_shared_ray(range, n_before_[range.first], n_after_[range.first]);
+}
+
+/// A band that shares another's ray into a denser medium meets the parallel face behind it with
+/// sin = sin(i) / n_shared; it can only leave there while n_own sin < 1. True when all of the
+/// range's bands can, so that none is caught inside where its own ray would not have been.
+bool Fan::all_would_leave(BandRange range) const {
+  const double a = n_after_[range.first] / n_before_[range.first];
+  const double b = n_after_[range.last - 1] / n_before_[range.last - 1];
+  const double ratio = std::min(a, b) / std::max(a, b);
+  return cos_i_ * cos_i_ > 1.0 - ratio * ratio;
+}
+
+/// A path that meets something that mirrors or refracts takes parted directions along, over ways
+/// not known yet.
+bool Fan::goes_on_behind(const Hit& hit) const {
+  const MaterialPlan& material = plan_.materials[hit.material.index()];
+  return material.reflects || material.transmits;
+}
+
+/// The angle between the rays of the outermost bands, with what earlier surfaces have done.
+double Fan::parted(BandRange range) const {
+  return carried_direction_spread_ +
+         glm::distance(refracted_direction(n_before_[range.first], n_after_[range.first]),
+                       refracted_direction(n_before_[range.last - 1], n_after_[range.last - 1]));
+}
+
+/// Rays of the outermost bands of the range are traced already.
+bool Fan::may_share(BandRange range) const {
+  if (!all_would_leave(range)) return false;
+  const Hit &a = hit_of(range.first), &b = hit_of(range.last - 1);
+  const double apart = carried_direction_spread_ +
+                       glm::distance(direction_of(range.first), direction_of(range.last - 1));
+  if (!a.met() && !b.met()) return apart <= tolerance_;
+  if (!a.met() || a.shape != b.shape || a.face != b.face) return false;
+  if (goes_on_behind(a) && apart > tolerance_) return false;
+  const double way = std::max(a.t, b.t);
+  const double spread =
+      position_spread_ + carried_direction_spread_ * way + glm::distance(a.point, b.point);
+  return spread <= tolerance_ * (incoming_->path_length + incoming_->hit.t + way);
+}
+
+/// How many sub-bundles of a range may be followed. The noise of a branch kept as m of them goes as
+/// importance^2 / m and its cost as m, so the least noise for a given cost is had with m in
+/// proportion to importance.
+std::size_t Fan::sub_bundles_allowed(BandRange range, double importance) const {
+  if (plan_.follows_all()) return static_cast<std::size_t>(range.size());
+  const double share = plan_.settings.max_fan * plan_.shares.of(range) * std::min(importance, 1.0);
+  return static_cast<std::size_t>(std::max(1.0, std::round(share)));
+}
+
+/// The rule where no pixel's width says what is close together: equal parts, as many as allowed.
+void Fan::cut(BandRange whole, double importance) {
+  const int parts =
+      std::min(static_cast<int>(sub_bundles_allowed(whole, importance)), whole.size());
+  strata_.clear();
+  for (BandRange rest = whole; !rest.empty();) {
+    const int left = parts - static_cast<int>(strata_.size());
+    const int end = left > 1 && rest.size() > 1 ? plan_.shares.place(rest, 1.0 / left) : rest.last;
+    strata_.push_back({rest.first, end});
+    rest.first = end;
+  }
+}
+
+/// Where as many ranges as are allowed are still too far parted in direction, and the rays of
+/// the bands that are kept of them find nothing on which they could end, no range may be shared:
+/// the rays that would prove it need not be traced. Fills `strata_` then.
+bool Fan::part_by_directions(BandRange whole, std::size_t most, RayCounts& counts) {
+  strata_.assign(1, whole);
+  for (std::size_t i = 0; strata_.size() < most && i < strata_.size();) {
+    const BandRange r = strata_[i];
+    if (r.size() == 1) {
+      ++i;
+      continue;
+    }
+    if (parted(r) <= tolerance_) return false;
+    const int middle = plan_.shares.middle(r);
+    strata_.erase(strata_.begin() + static_cast<std::ptrdiff_t>(i));
+    strata_.push_back({r.first, middle});
+    strata_.push_back({middle, r.last});
+  }
+  for (const BandRange& r : strata_)
+    if (r.size() > 1 && parted(r) <= tolerance_) return false;
+  for (const BandRange& r : strata_)
+    want(plan_.shares.keep_one(r, choice_).band);
+  trace_new_rays(counts);
+  return std::all_of(strata_.begin(), strata_.end(), [&](const BandRange& r) {
+    const Hit& hit = hit_of(plan_.shares.keep_one(r, choice_).band);
+    return !hit.met() || goes_on_behind(hit);
+  });
+}
+
+/// Halves ranges of bands, all of one size before the next smaller, until each may share a ray or
+/// the path's share of sub-bundles is used up.
+void Fan::part(BandRange whole, double importance, PathWavelengths& wavelengths,
+               RayCounts& counts) {
+  const std::size_t most = sub_bundles_allowed(whole, importance);
+  if (part_by_directions(whole, most, counts)) return;
+  strata_.clear();
+  ranges_.assign(1, whole);
+  while (!ranges_.empty()) {
+    for (const BandRange& r : ranges_) {
+      want(r.first);
+      want(r.last - 1);
+    }
+    trace_new_rays(counts);
+    next_ranges_.clear();
+    std::size_t waiting = ranges_.size();
+    for (const BandRange& r : ranges_) {
+      --waiting;
+      if (r.size() == 1) {
+        add_band(r.first, 1.0f);
+      } else if (may_share(r)) {
+        add_shared(r, wavelengths);
+      } else if (cells_.size() + strata_.size() + next_ranges_.size() + waiting + 2 > most) {
+        strata_.push_back(r);
+      } else {
+        const int middle = plan_.shares.middle(r);
+        next_ranges_.push_back({r.first, middle});
+        next_ranges_.push_back({middle, r.last});
+      }
+    }
+    std::swap(ranges_, next_ranges_);
+  }
+}
+
+/// Of each range that could not be parted further one band goes on for all.
+void Fan::keep_one_of_each_stratum() {
+  for (const BandRange& r : strata_) {
+    const auto [band, weight] = plan_.shares.keep_one(r, choice_);
+    want(band);
+    add_band(band, weight);
+  }
+}
+
+const std::vector<FanCell>& Fan::refract(const Bundle& bundle, int first, int last,
+                                         double importance, PathWavelengths& wavelengths,
+                                         double choice, RayCounts& counts) {
+  prepare(bundle, first, last, wavelengths);
+  choice_ = choice;
+  if (last - first == 1) {
+    want(first);
+    add_band(first, 1.0f);
+    trace_new_rays(counts);
+    return cells_;
+  }
+  const auto achromatic = [&](MediumId id) { return plan_.medium(id).index.achromatic(); };
+  if (achromatic(bundle.hit.medium_before) && achromatic(bundle.hit.medium_after)) {
+    add_undivided({first, last});
+  } else if (plan_.settings.exact) {
+    for (int b = first; b < last; ++b) {
+      want(b);
+      add_band(b, 1.0f);
+    }
+  } else {
+    if (bundle.spread)
+      cut({first, last}, importance);
+    else
+      part({first, last}, importance, wavelengths, counts);
+    keep_one_of_each_stratum();
+  }
+  trace_new_rays(counts);
+  return cells_;
+}
+
+void go_on_as(const FanCell& cell, const Bundle& bundle, Bundle& next) {
+  next.first = cell.first;
+  next.last = cell.last;
+  next.path_length = bundle.path_length + bundle.hit.t;
+  next.state = *cell.state;
+  next.hit = *cell.hit;
+  next.depth = bundle.depth + 1;
+  next.passed = 0.0;
+  next.density = 0.0;
+  next.spreads = bundle.spreads;
+  next.first_spread = bundle.first_spread;
+  next.spread = bundle.spread;
+  next.position_spread = cell.position_spread;
+  next.direction_spread = cell.direction_spread;
+}
+
+} // namespace abbe

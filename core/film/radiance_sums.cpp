@@ -1,0 +1,82 @@
+#include "core/film/radiance_sums.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace abbe {
+namespace {
+
+constexpr int kLanes = 4;
+using Sums = double __attribute__((vector_size(kLanes * sizeof(double))));
+using Weights = float __attribute__((vector_size(kLanes * sizeof(float))));
+
+/// The sum of sums[i] * weights[i], in four lanes of a register, whose order is fixed. Reads whole
+/// registers: the arrays are padded.
+double dot(const double* sums, const float* weights, std::size_t count) {
+  Sums lanes{};
+  for (std::size_t i = 0; i < count; i += kLanes) {
+    Sums s;
+    Weights w;
+    std::memcpy(&s, sums + i, sizeof s);
+    std::memcpy(&w, weights + i, sizeof w);
+    lanes += s * __builtin_convertvector(w, Sums);
+  }
+  return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+}
+
+} // namespace
+
+RadianceSums::RadianceSums(const Plan& plan)
+    : plan_(plan), sums_(plan.accumulators.size() * plan.stride), radiance_(plan.stride) {}
+
+void RadianceSums::clear() {
+  for (std::size_t i = 0; i < plan_.accumulators.size(); ++i)
+    std::fill(sums(static_cast<int>(i)) + used_.first, sums(static_cast<int>(i)) + used_.last, 0.0);
+  used_ = {};
+}
+
+void RadianceSums::add(int source, const float* throughput, const BandTable& reflectance,
+                       float factor, int first, int last) {
+  const SourcePlan& s = plan_.sources[static_cast<std::size_t>(source)];
+  if (s.factor.zero()) return;
+  used_ = used_.empty() ? BandRange{first, last}
+                        : BandRange{std::min(used_.first, first), std::max(used_.last, last)};
+  double* sum = sums(s.accumulator);
+  const auto light = s.factor.constant(), part = reflectance.constant();
+  if (light && part) {
+    const float product = *light * *part * factor;
+    for (int b = first; b < last; ++b)
+      sum[b] += static_cast<double>(throughput[b] * product);
+  } else {
+    for (int b = first; b < last; ++b)
+      sum[b] += static_cast<double>(throughput[b] * (s.factor[b] * reflectance[b] * factor));
+  }
+}
+
+Xyz RadianceSums::color() const {
+  Xyz color{0.0, 0.0, 0.0};
+  const int begin = used_.first & -kLanes; // a band's lane does not depend on which are used
+  const auto count = static_cast<std::size_t>(used_.last - begin);
+  for (std::size_t i = 0; i < plan_.accumulators.size(); ++i) {
+    const AccumulatorPlan& weights = plan_.accumulators[i];
+    const double* sum = sums_.data() + i * plan_.stride + begin;
+    color.x += dot(sum, weights.x.data() + begin, count);
+    color.y += dot(sum, weights.y.data() + begin, count);
+    color.z += dot(sum, weights.z.data() + begin, count);
+  }
+  return color;
+}
+
+std::span<const float> RadianceSums::radiance() {
+  const auto bands = static_cast<std::size_t>(plan_.grid.count());
+  for (std::size_t b = 0; b < bands; ++b) {
+    double mean = 0.0;
+    for (std::size_t i = 0; i < plan_.accumulators.size(); ++i)
+      mean += sums_[i * plan_.stride + b] *
+              static_cast<double>(plan_.accumulators[i].radiance[static_cast<int>(b)]);
+    radiance_[b] = static_cast<float>(mean);
+  }
+  return {radiance_.data(), bands};
+}
+
+} // namespace abbe

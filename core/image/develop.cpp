@@ -1,0 +1,197 @@
+#include "core/image/develop.h"
+
+#include "spectral/adaptation.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace abbe {
+namespace {
+
+PixelWindow full_window(const Plan& plan) {
+  return {0, 0, plan.settings.width, plan.settings.height};
+}
+
+template <class Use>
+void for_each_pixel(const PixelWindow& window, const Use& use) {
+  for (int y = window.y0; y < window.y1; ++y)
+    for (int x = window.x0; x < window.x1; ++x)
+      use(x, y);
+}
+
+/// As colourspaces.csv calls it.
+const char* name(SceneLinearSpace space) {
+  switch (space) {
+  case SceneLinearSpace::rec709:
+    return "rec709";
+  case SceneLinearSpace::acescg:
+    return "acescg";
+  case SceneLinearSpace::aces2065_1:
+    return "aces2065-1";
+  case SceneLinearSpace::rec2020:
+    return "rec2020";
+  }
+  return "";
+}
+
+/// From XYZ to a scene-linear space. The ACES spaces have another white than D65, which lies where
+/// (1, 1, 1) does in Rec. 709: Bradford's adaptation takes white to white, as colour pipelines that
+/// read the tags expect.
+Matrix3 matrix_to(SceneLinearSpace space) {
+  const ColorSpace target = find_color_space(name(space)).value();
+  const Matrix3 adaptation =
+      bradford_adaptation(to_xyz(kSrgbWhite, 1.0), to_xyz(target.white, 1.0));
+  return multiply(inverse(rgb_to_xyz_matrix(target.primaries, target.white)), adaptation);
+}
+
+std::vector<float> linear_rgba(const Film& film, const PixelWindow& part, SceneLinearSpace space) {
+  const Matrix3 to_rgb = matrix_to(space);
+  std::vector<float> rgba;
+  rgba.reserve(4 * part.pixel_count());
+  for_each_pixel(part, [&](int x, int y) {
+    const Xyz xyz = film.color(x, y);
+    const Vector3 c = multiply(to_rgb, Vector3{xyz.x, xyz.y, xyz.z});
+    for (const double v : {c[0], c[1], c[2], film.alpha(x, y)})
+      rgba.push_back(static_cast<float>(v));
+  });
+  return rgba;
+}
+
+const char* name(PixelFilter filter) {
+  switch (filter) {
+  case PixelFilter::box:
+    return "box";
+  case PixelFilter::tent:
+    return "tent";
+  case PixelFilter::gaussian:
+    return "gaussian";
+  }
+  return "";
+}
+
+const char* name(ShadowRule rule) {
+  switch (rule) {
+  case ShadowRule::none:
+    return "none";
+  case ShadowRule::opaque:
+    return "opaque";
+  case ShadowRule::automatic: // never in a plan
+  case ShadowRule::attenuated:
+    return "attenuated";
+  }
+  return "";
+}
+
+const char* name(GamutMapping mapping) {
+  switch (mapping) {
+  case GamutMapping::clip:
+    return "clip";
+  case GamutMapping::scale:
+    return "scale";
+  case GamutMapping::desaturate:
+    return "desaturate";
+  }
+  return "";
+}
+
+const char* name(Observer observer) {
+  switch (observer) {
+  case Observer::cie1931_2deg:
+    return "2deg";
+  case Observer::cie1964_10deg:
+    return "10deg";
+  }
+  return "";
+}
+
+} // namespace
+
+Metadata render_metadata(const Plan& plan) {
+  const RenderSettings& s = plan.settings;
+  Metadata data{{"abbe/integrator", s.integrator == Integrator::path ? "path" : "whitted"},
+                {"abbe/bands", fmt::format("{}", s.bands)},
+                {"abbe/samples", fmt::format("{}", s.samples_per_pixel)},
+                {"abbe/adaptive", s.adaptive == AdaptiveSampling::on ? "on" : "off"},
+                {"abbe/observer", name(s.observer)},
+                {"abbe/seed", fmt::format("{}", s.seed)},
+                {"abbe/filter", name(s.filter)},
+                {"abbe/shadows", name(s.shadows)},
+                {"abbe/depth", fmt::format("{}", s.max_depth)},
+                {"abbe/minThroughput", fmt::format("{}", s.min_throughput)},
+                {"abbe/minReflectivity", fmt::format("{}", s.min_reflectivity)},
+                {"abbe/minTransparency", fmt::format("{}", s.min_transparency)},
+                {"abbe/jitter", s.jitter ? "on" : "off"},
+                {"abbe/exact", s.exact ? "on" : "off"}};
+  if (s.noise > 0.0) data.push_back({"abbe/noise", fmt::format("{}", s.noise)});
+  if (s.seconds > 0.0) data.push_back({"abbe/timeLimit", fmt::format("{}", s.seconds)});
+  if (!s.exact) {
+    data.push_back({"abbe/tolerance", fmt::format("{}", s.tolerance_pixels)});
+    data.push_back({"abbe/maxFan", fmt::format("{}", s.max_fan)});
+  }
+  return data;
+}
+
+Metadata display_metadata(const DisplaySettings& settings, Observer observer) {
+  const DisplayEncoding encoding = encoding_of(settings);
+  Metadata data{{"abbe/display", encoding.space.name},
+                {"abbe/transfer", encoding.transfer.name},
+                {"abbe/gamut", name(settings.gamut)},
+                {"abbe/exposure", fmt::format("{}", settings.exposure_ev)}};
+  if (settings.white_point) {
+    const Chromaticity white = settings.white_point->seen_by(observer);
+    data.push_back({"abbe/whitePoint", fmt::format("{:.6f} {:.6f}", white.x, white.y)});
+  }
+  return data;
+}
+
+SceneLinearImage develop_scene_linear(const Film& film, const Plan& plan, SceneLinearSpace space) {
+  SceneLinearImage image{full_window(plan), film.window(), linear_rgba(film, film.window(), space),
+                         render_metadata(plan), space};
+  if (!plan.settings.reports_errors()) return image;
+  ImageChannel samples{"samples", {}}, error{"error.Y", {}};
+  for_each_pixel(film.window(), [&](int x, int y) {
+    samples.values.push_back(static_cast<float>(film.samples(x, y)));
+    error.values.push_back(static_cast<float>(film.error(x, y).y));
+  });
+  image.channels = {std::move(samples), std::move(error)};
+  return image;
+}
+
+DisplayImage develop_display(const Film& film, const Plan& plan, const DisplaySettings& settings) {
+  DisplayImage image{full_window(plan),     film.window(),        {}, {},
+                     render_metadata(plan), encoding_of(settings)};
+  for (auto& entry : display_metadata(settings, plan.settings.observer))
+    image.metadata.push_back(std::move(entry));
+  const DisplayTransform transform(settings, plan.settings.observer);
+  for_each_pixel(film.window(), [&](int x, int y) {
+    const LinearRgb c = transform.linear(film.color(x, y));
+    const DisplayRgb e = transform.encoded(c);
+    for (const double v : {c.r, c.g, c.b})
+      image.linear.push_back(static_cast<float>(v));
+    for (const double v : {e.r, e.g, e.b})
+      image.encoded.push_back(static_cast<float>(v));
+  });
+  return image;
+}
+
+SpectralImage develop_spectral(const Film& film, const Plan& plan, const PixelWindow& part) {
+  SpectralImage image{
+      full_window(plan),    part, {}, {}, linear_rgba(film, part, SceneLinearSpace::rec709),
+      render_metadata(plan)};
+  const std::size_t pixels = part.pixel_count();
+  image.values.resize(pixels * static_cast<std::size_t>(film.bands()));
+  for (int b = 0; b < film.bands(); ++b)
+    image.wavelengths_nm.push_back(plan.grid.center_nm(b));
+  std::size_t pixel = 0; // outside, as the film's bands of a pixel lie side by side
+  for_each_pixel(part, [&](int x, int y) {
+    for (int b = 0; b < film.bands(); ++b)
+      image.values[static_cast<std::size_t>(b) * pixels + pixel] =
+          static_cast<float>(film.radiance(x, y, b));
+    ++pixel;
+  });
+  film.touched_bands(pixels);
+  return image;
+}
+
+} // namespace abbe

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/film/film.h"
+#include "core/image/image.h"
+#include "core/image/display.h"
+#include "core/plan/plan.h"
+
+namespace abbe {
+
+/// Settings that report errors add two channels: `samples`, how many a pixel has, and `error.Y`,
+/// the standard error of its luminance as `Film::error` estimates it.
+[[nodiscard]] SceneLinearImage
+develop_scene_linear(const Film& film, const Plan& plan,
+                     SceneLinearSpace space = SceneLinearSpace::rec709);
+/// Throws std::invalid_argument for a white point that cannot be white.
+[[nodiscard]] DisplayImage develop_display(const Film& film, const Plan& plan,
+                                           const DisplaySettings& settings);
+/// Part of the film's window. The film must keep bands.
+[[nodiscard]] SpectralImage develop_spectral(const Film& film, const Plan& plan,
+                                             const PixelWindow& part);
+[[nodiscard]] inline SpectralImage develop_spectral(const Film& film, const Plan& plan) {
+  return develop_spectral(film, plan, film.window());
+}
+
+/// The settings that made the picture, as name and value. Nothing of the machine, the time or the
+/// number of threads.
+[[nodiscard]] Metadata render_metadata(const Plan& plan);
+/// The settings that made the display's picture of it.
+[[nodiscard]] Metadata display_metadata(const DisplaySettings& settings, Observer observer);
+
+} // namespace abbe

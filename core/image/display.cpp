@@ -1,0 +1,34 @@
+#include "core/image/display.h"
+
+#include "spectral/adaptation.h"
+
+#include <cmath>
+
+namespace abbe {
+
+DisplayEncoding encoding_of(const DisplaySettings& settings) {
+  return {settings.space, settings.transfer.value_or(settings.space.transfer)};
+}
+
+DisplayTransform::DisplayTransform(const DisplaySettings& settings, Observer observer)
+    : gamut_(settings.gamut), transfer_(encoding_of(settings).transfer) {
+  const Matrix3 to_xyz_of_rgb = rgb_to_xyz_matrix(settings.space.primaries, settings.space.white);
+  luminance_weights_ = to_xyz_of_rgb[1];
+  const double gain = std::exp2(settings.exposure_ev);
+  to_rgb_ = multiply(inverse(to_xyz_of_rgb), diagonal({gain, gain, gain}));
+  if (settings.white_point) {
+    const Xyz from = to_xyz(settings.white_point->seen_by(observer), 1.0);
+    to_rgb_ = multiply(to_rgb_, bradford_adaptation(from, to_xyz(settings.space.white, 1.0)));
+  }
+}
+
+LinearRgb DisplayTransform::linear(const Xyz& color) const {
+  const Vector3 rgb = multiply(to_rgb_, Vector3{color.x, color.y, color.z});
+  return map_to_gamut({rgb[0], rgb[1], rgb[2]}, gamut_, luminance_weights_);
+}
+
+DisplayRgb DisplayTransform::encoded(const LinearRgb& linear) const {
+  return encode(transfer_, linear);
+}
+
+} // namespace abbe

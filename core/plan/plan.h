@@ -1,0 +1,153 @@
+#pragma once
+
+#include "core/bands/band_shares.h"
+#include "core/bands/band_table.h"
+#include "core/bands/index_table.h"
+#include "core/drops/drop_phase_function.h"
+#include "core/emitters/environment_map.h"
+#include "core/optics/albedo_table.h"
+#include "core/plan/texture_plan.h"
+#include "core/scene/scene.h"
+#include "geometry/ray_state.h"
+#include "spectral/color.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace abbe {
+
+/// Something that emits: what the path gathers from it is summed in band accumulator
+/// `accumulator`, weighted per band by `factor`.
+struct SourcePlan {
+  int accumulator = 0;
+  BandTable factor;
+};
+
+/// Mixture by index into Plan::materials.
+struct MixturePlan {
+  int first = -1, second = -1; ///< negative: no mixture
+  double share = 0.0;
+};
+
+/// A material at the bands, and which of its parts are there at all.
+struct MaterialPlan {
+  BandTable ambient, diffuse, specular, reflectivity, transparency;
+  float specular_exponent = 1.0f;
+  bool fresnel = true;
+  BandTable metal_n, metal_k; ///< of a conductor
+  double roughness = 0.0;     ///< see Material::roughness
+  bool compensation = true;
+  std::optional<GgxAlbedo> mirror_albedo;       ///< of a rough surface with compensation
+  std::optional<DielectricAlbedo> glass_albedo; ///< the same, or of a rough coat
+  double film_nm = 0.0;                         ///< thickness of the thin film
+  int film = -1, coat = -1; ///< indices into Plan::layers; negative: there is none
+  bool conductor = false;
+  bool dielectric = false; ///< lets light in, so reflection too goes by its index
+  bool reflects = false, transmits = false, lit = false; ///< what paths follow
+  bool emits_behind = true;
+  bool clear = false;       ///< lets everything through and adds nothing
+  int emission_source = -1; ///< index into Plan::sources; negative: emits nothing
+  int texture = -1;         ///< index into TexturePlans::textures; negative: `diffuse` holds
+  /// Of a mixture only the flags count, which are those of either part; see part_of.
+  MixturePlan mixture;
+
+  [[nodiscard]] bool mixed() const { return mixture.first >= 0; }
+  /// True when some light goes on along the one reflected or refracted ray.
+  [[nodiscard]] bool specular_part() const { return roughness == 0.0 && (reflects || transmits); }
+  /// True when a ray that meets the surface sees light that it gives off.
+  [[nodiscard]] bool emits(const Hit& hit) const {
+    return emission_source >= 0 && (hit.entering || emits_behind);
+  }
+};
+
+/// Drops at the bands. A phase function is there where the scene has such lamps.
+struct DropsPlan {
+  double extinction_per_unit = 0.0;            ///< per scene unit of length
+  std::optional<DropPhaseFunction> under_sun;  ///< for parallel light
+  std::optional<DropPhaseFunction> under_lamp; ///< for lamps at a place
+};
+
+/// A medium at the bands.
+struct MediumPlan {
+  IndexTable index;
+  BandTable absorption_per_unit; ///< per scene unit of length, with what drops take out of a ray
+  bool absorbs = false;
+  std::optional<DropsPlan> drops;
+};
+
+/// A block of pixels rendered by one thread at a time.
+struct Tile {
+  PixelWindow window;
+  bool empty = false; ///< no shape's bounds reach it, so every ray there meets the background
+};
+
+/// Turns one band accumulator into colour and mean radiance.
+struct AccumulatorPlan {
+  std::vector<float> x, y, z; ///< XYZ weights, padded
+  BandTable radiance;         ///< mean spectral radiance per unit of the accumulator
+};
+
+/// What a scene needs under given settings, and what may be left out; computed once.
+struct Plan {
+  RenderSettings settings;
+  BandGrid grid{81};
+  std::size_t stride = 0;            ///< padded length of a band array
+  int first_band = 0, last_band = 0; ///< only these bands can carry light to an observer
+  int live_first = 0, live_last = 0; ///< the same, whether or not skipping is on
+  std::vector<float> live;           ///< per band 1 where it can carry light, else 0; padded
+  int live_count = 0;                ///< of these; fewer than the range has where lamps are lines
+  BandShares shares;                 ///< of a path that can follow a few of them alone
+
+  std::vector<std::vector<SpectralLine>> lines; ///< by band; see lines_of_bands
+  std::vector<SourcePlan> sources; ///< background, ambient light, the lamps, emitting materials
+  std::vector<AccumulatorPlan> accumulators;
+  std::optional<EnvironmentMap> environment;
+  int environment_source = -1;         ///< index into sources, of its light
+  std::vector<MaterialPlan> materials; ///< by MaterialId
+  TexturePlans textures;
+  std::vector<MediumPlan> media; ///< by MediumId
+  MediumPlan vacuum;
+  std::vector<IndexTable> layers; ///< of thin films and coats
+  bool has_drops = false;         ///< some medium has
+
+  PixelWindow window; ///< what is rendered
+  std::vector<Tile> tiles;
+  double quantum = 1.0; ///< of the film's sums
+
+  bool disperses = false; ///< some medium or layer has an index that changes with wavelength
+  bool caustics = false;  ///< light-side passes have something to do
+
+  std::vector<std::string> notes; ///< what was found and what is left out, for people
+
+  /// True when no roulette is needed: every band may have a sub-bundle of its own.
+  [[nodiscard]] bool follows_all() const {
+    return settings.exact || settings.max_fan >= live_count;
+  }
+
+  /// The wavelength at the place `offset` (0..1) of a band: a line's own where lines are all the
+  /// light in the band.
+  [[nodiscard]] double wavelength_nm(int band, double offset) const;
+
+  /// The wavelength at that place of bands [first, last) taken as one.
+  [[nodiscard]] double shared_wavelength_nm(int first, int last, double offset) const {
+    return grid.lower_nm(first) + offset * (grid.width_nm() * (last - first));
+  }
+
+  /// True for a boundary between air and drops, or drops and other drops, that is not to be seen.
+  [[nodiscard]] bool unseen(const Hit& hit) const {
+    if (!has_drops) return false;
+    const auto airy = [this](MediumId id) { return !id.valid() || media[id.index()].drops; };
+    return materials[hit.material.index()].clear && airy(hit.medium_before) &&
+           airy(hit.medium_after);
+  }
+
+  static constexpr int kBackground = 0, kAmbient = 1;
+  [[nodiscard]] int light_source(std::size_t light) const { return 2 + static_cast<int>(light); }
+  [[nodiscard]] const MediumPlan& medium(MediumId id) const {
+    return id.valid() ? media[id.index()] : vacuum;
+  }
+};
+
+} // namespace abbe

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "core/plan/plan.h"
+
+namespace abbe {
+
+/// Throws std::invalid_argument for settings that make no sense (a crop outside the image, say).
+[[nodiscard]] Plan make_plan(const Scene& scene, const RenderSettings& settings);
+
+} // namespace abbe

@@ -1,0 +1,105 @@
+#include "core/planning/plan_materials.h"
+
+#include "core/planning/plan_drops.h"
+#include "core/planning/plan_surfaces.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace abbe {
+namespace {
+
+/// Paths follow what either part does. Light that it gives off is met by chance only.
+MaterialPlan planned_mixture(const Plan& plan, const Mixture& mixture) {
+  const MaterialPlan &a = plan.materials[mixture.first.index()],
+                     &b = plan.materials[mixture.second.index()];
+  MaterialPlan m;
+  m.reflects = a.reflects || b.reflects;
+  m.transmits = a.transmits || b.transmits;
+  m.lit = a.lit || b.lit;
+  m.mixture = {mixture.first.value, mixture.second.value, mixture.share};
+  return m;
+}
+
+bool is_clear(const Material& material) {
+  const auto absent = [](const Curve& part) { return part.constant_value() == 0.0; };
+  return material.transparency.constant_value() == 1.0 && absent(material.reflectivity) &&
+         absent(material.ambient) && absent(material.diffuse) && absent(material.specular) &&
+         absent(material.emission) && material.roughness == 0.0 && !material.film &&
+         !material.coat && !material.texture && !material.mixture;
+}
+
+} // namespace
+
+std::vector<double> table_wavelengths(const Plan& plan) {
+  std::vector<double> nm;
+  for (int b = 0; b < plan.grid.count(); ++b)
+    nm.push_back(plan.wavelength_nm(b, 0.5));
+  return nm;
+}
+
+void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
+  const RenderSettings& settings = plan.settings;
+  const std::vector<double> nm = table_wavelengths(plan);
+  const auto table = [&](const Curve& curve) {
+    return BandTable::at_wavelengths(nm, curve, settings.skip.constant_curves);
+  };
+  const auto largest = [&](const BandTable& t) {
+    float most = 0.0f;
+    for (int b = 0; b < plan.grid.count(); ++b)
+      most = std::max(most, t[b]);
+    return most;
+  };
+  for (const Material& material : scene.materials) {
+    MaterialPlan m;
+    m.ambient = table(material.ambient);
+    m.diffuse = table(material.diffuse);
+    m.specular = table(material.specular);
+    m.reflectivity = table(material.reflectivity);
+    m.transparency = table(material.transparency);
+    m.specular_exponent = static_cast<float>(material.specular_exponent);
+    m.fresnel = material.fresnel;
+    m.conductor = material.metal.has_value();
+    if (m.conductor) {
+      m.metal_n = table(material.metal->n);
+      m.metal_k = table(material.metal->k);
+    }
+    plan_surface(material, m, plan);
+    m.dielectric = !m.transparency.zero();
+    m.reflects = largest(m.reflectivity) > static_cast<float>(settings.min_reflectivity);
+    m.transmits = largest(m.transparency) > static_cast<float>(settings.min_transparency);
+    m.lit = !m.diffuse.zero() || !m.specular.zero();
+    if (material.texture) {
+      m.texture = plan_texture(plan.textures, *material.texture, scene.images, nm,
+                               settings.skip.constant_curves);
+      m.lit = true;
+    }
+    m.emits_behind = material.emits_behind;
+    m.clear = is_clear(material);
+    if (material.emission.constant_value() != 0.0)
+      m.emission_source = sources.add(material.emission);
+    if (material.mixture) m = planned_mixture(plan, *material.mixture);
+    plan.materials.push_back(std::move(m));
+  }
+}
+
+void plan_media(const Scene& scene, Plan& plan) {
+  plan.vacuum.absorption_per_unit = BandTable(0.0f, plan.grid.count());
+  for (const Medium& medium : scene.media) {
+    MediumPlan m;
+    m.index = IndexTable(medium.index, plan.settings.skip.constant_indices);
+    m.absorption_per_unit = BandTable::at_wavelengths(
+        table_wavelengths(plan), medium.absorption_per_mm.scaled(scene.mm_per_unit),
+        plan.settings.skip.constant_curves);
+    if (medium.drops && medium.drops->extinction_per_mm > 0.0) {
+      m.drops = plan_drops(scene, plan, *medium.drops);
+      m.absorption_per_unit = m.absorption_per_unit.plus(
+          static_cast<float>(m.drops->extinction_per_unit), plan.grid.count());
+      plan.has_drops = true;
+    }
+    m.absorbs = !m.absorption_per_unit.zero();
+    plan.media.push_back(std::move(m));
+  }
+}
+
+} // namespace abbe

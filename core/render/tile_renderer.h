@@ -1,0 +1,92 @@
+#pragma once
+
+#include "core/bundles/lens_fan.h"
+#include "core/bundles/statistics.h"
+#include "core/cameras/placed_camera.h"
+#include "core/film/film.h"
+#include "core/film/radiance_sums.h"
+#include "core/integrators/integrator.h"
+#include "core/integrators/light_pass.h"
+#include "core/lamps/lamps.h"
+#include "core/plan/plan.h"
+#include "core/sampling/sampler.h"
+#include "geometry/world.h"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace abbe {
+
+/// Samples [first, last) of a pixel.
+struct SampleRange {
+  int first, last;
+};
+
+/// Which samples of each pixel one pass renders.
+class PassSamples {
+public:
+  /// The same of all pixels.
+  explicit PassSamples(SampleRange all) : all_(all) {}
+  /// Those that bring pixels to a number of their own, row by row of the film's window, in
+  /// `passes_left` passes that take equal parts. Keeps a reference.
+  PassSamples(std::span<const std::uint32_t> allocation, int passes_left)
+      : allocation_(allocation), passes_left_(passes_left) {}
+
+  [[nodiscard]] SampleRange of(const Film& film, int x, int y) const;
+
+private:
+  SampleRange all_{0, 0};
+  std::span<const std::uint32_t> allocation_; ///< empty for `all_`
+  int passes_left_ = 1;
+};
+
+/// Renders tiles on one thread.
+class TileRenderer {
+public:
+  /// Keeps references to all; `light_passes` is null where there are none. `pixel_rays`, unless it
+  /// is empty, counts the rays of each pixel of the film, row by row.
+  TileRenderer(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
+               const LightPasses* light_passes, const PlacedCamera& camera, Film& film,
+               std::span<std::uint32_t> pixel_rays);
+
+  /// Adds the samples of every pixel of the tile to the film, and their number to `rendered`.
+  RayCounts render(const Tile& tile, const PassSamples& samples, RayRecord* record,
+                   std::uint64_t& rendered);
+
+private:
+  static constexpr std::size_t kPacketWidth = 16;
+
+  struct CameraSample {
+    int x, y;
+    Sampler sampler;
+  };
+
+  [[nodiscard]] dvec2 film_position(const CameraSample& sample) const;
+  /// One ray for all bands of each sample.
+  void start_undivided();
+  /// As many rays for each sample as the lens parts its bands into, or none.
+  void start_through_lens();
+  void finish_batch(bool empty, RayCounts& counts);
+  void trace_sample(const CameraSample& sample, const CameraPaths& start, RayCounts& counts);
+
+  const Plan& plan_;
+  const World& world_;
+  const PlacedCamera& camera_;
+  Film& film_;
+  std::span<std::uint32_t> pixel_rays_;
+  std::unique_ptr<CameraIntegrator> integrator_;
+  RadianceSums sums_;
+  std::vector<CameraSample> batch_;
+  std::optional<LensFan> lens_fan_;
+  std::array<std::size_t, kPacketWidth> ends_{}; ///< of each sample's bundles in the lists below
+  const CameraBundle undivided_; ///< what a sample starts with where no lens parts its bands
+  std::vector<CameraBundle> bundles_;
+  std::vector<RayState> states_;
+  std::vector<Hit> hits_;
+};
+
+} // namespace abbe

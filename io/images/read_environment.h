@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/scene/environment.h"
+#include "io/text/token.h"
+
+namespace abbe {
+
+/// Reads the picture of an EXR file, which is found from the folder of the file that names it: its
+/// channels R, G and B, or Y for grey. Throws ReadError at the name.
+[[nodiscard]] Environment read_environment(const Token& name, const Warn& warn);
+
+} // namespace abbe

@@ -1,0 +1,86 @@
+#include "io/images/write_image.h"
+
+#include "io/images/write_png.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string_view>
+
+namespace abbe {
+namespace {
+
+/// One row of the table of writers.
+struct OutputFormat {
+  std::string_view extension; ///< lower case, with its dot
+  bool scene_linear;          ///< which of the two pictures it takes
+  void (*write)(const std::filesystem::path&, const SceneLinearImage&, const DisplayImage&,
+                const OutputOptions&);
+};
+
+void write_as_exr(const std::filesystem::path& path, const SceneLinearImage& scene_linear,
+                  const DisplayImage&, const OutputOptions& options) {
+  write_exr(path, scene_linear, options.exr_pixel);
+}
+
+void write_as_tiff(const std::filesystem::path& path, const SceneLinearImage&,
+                   const DisplayImage& display, const OutputOptions& options) {
+  write_tiff(path, display, options.tiff_depth);
+}
+
+void write_as_png(const std::filesystem::path& path, const SceneLinearImage&,
+                  const DisplayImage& display, const OutputOptions& options) {
+  write_png(path, display, options.png_bits);
+}
+
+// Each writer goes through replace_file itself, so that none can be called without it.
+constexpr std::array output_formats = {
+    OutputFormat{".exr", true, write_as_exr},
+    OutputFormat{".tif", false, write_as_tiff},
+    OutputFormat{".tiff", false, write_as_tiff},
+    OutputFormat{".png", false, write_as_png},
+};
+
+/// The row for the path, or null. Only ASCII letters have two cases here, in any locale.
+const OutputFormat* find_format(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const auto row = std::ranges::find(output_formats, extension, &OutputFormat::extension);
+  return row == output_formats.end() ? nullptr : &*row;
+}
+
+} // namespace
+
+bool is_known_image_extension(const std::filesystem::path& path) {
+  return find_format(path) != nullptr;
+}
+
+bool is_scene_linear_extension(const std::filesystem::path& path) {
+  const OutputFormat* format = find_format(path);
+  return format != nullptr && format->scene_linear;
+}
+
+std::string known_image_extensions() {
+  std::string list;
+  for (std::size_t i = 0; i < output_formats.size(); ++i) {
+    if (i > 0) list += i + 1 < output_formats.size() ? ", " : " or ";
+    list += output_formats[i].extension;
+  }
+  return list;
+}
+
+void write_image(const std::filesystem::path& path, const SceneLinearImage& scene_linear,
+                 const DisplayImage& display, const OutputOptions& options) {
+  const OutputFormat* format = find_format(path);
+  if (format == nullptr)
+    throw std::runtime_error(fmt::format("cannot write {}: unknown image extension \"{}\" ({} "
+                                         "would be right)",
+                                         path.string(), path.extension().string(),
+                                         known_image_extensions()));
+  format->write(path, scene_linear, display, options);
+}
+
+} // namespace abbe

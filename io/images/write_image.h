@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/image/image.h"
+#include "io/images/write_exr.h"
+#include "io/images/write_tiff.h"
+
+#include <filesystem>
+#include <string>
+
+namespace abbe {
+
+/// How pixels are stored, for each format that leaves a choice.
+struct OutputOptions {
+  ExrPixel exr_pixel = ExrPixel::half;
+  TiffDepth tiff_depth = TiffDepth::bits8;
+  int png_bits = 8; ///< 8 or 16
+  SceneLinearSpace exr_space = SceneLinearSpace::rec709;
+};
+
+/// True when `write_image` has a writer for the extension of the path, whatever its case.
+[[nodiscard]] bool is_known_image_extension(const std::filesystem::path& path);
+
+/// True when `write_image` writes the scene-linear picture under this extension, and needs no
+/// other.
+[[nodiscard]] bool is_scene_linear_extension(const std::filesystem::path& path);
+
+/// ".exr, .tif, .tiff or .png", for messages and help.
+[[nodiscard]] std::string known_image_extensions();
+
+/// Writes the picture in the format that the extension of the path names: the scene-linear one as
+/// EXR, the one for a screen as TIFF or PNG. The file appears under its name when it is complete.
+/// Errors: `std::runtime_error` for an unknown extension (it lists the known ones) and for all that
+/// `replace_file` reports.
+void write_image(const std::filesystem::path& path, const SceneLinearImage& scene_linear,
+                 const DisplayImage& display, const OutputOptions& options);
+
+} // namespace abbe

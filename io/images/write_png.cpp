@@ -1,0 +1,159 @@
+#include "io/images/write_png.h"
+
+#include "io/files/atomic_file.h"
+#include "io/images/icc_profile.h"
+#include "io/images/write_pixels.h"
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cerrno>
+#include <csetjmp>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+namespace abbe {
+namespace {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+/// libpng's message, copied before it jumps back.
+struct PngError {
+  std::array<char, 256> text{};
+};
+
+extern "C" {
+static void jump_back(png_structp png, png_const_charp message) {
+  auto& text = static_cast<PngError*>(png_get_error_ptr(png))->text;
+  std::snprintf(text.data(), text.size(), "%s", message);
+  png_longjmp(png, 1);
+}
+static void ignore_warning(png_structp, png_const_charp) {}
+}
+
+/// libpng's two handles.
+class PngHandles {
+public:
+  explicit PngHandles(PngError& error)
+      : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &error, jump_back, ignore_warning)),
+        info(png != nullptr ? png_create_info_struct(png) : nullptr) {
+    if (info == nullptr) {
+      png_destroy_write_struct(&png, nullptr);
+      throw std::runtime_error(error.text[0] != '\0' ? error.text.data() : "libpng failed");
+    }
+  }
+  PngHandles(const PngHandles&) = delete;
+  PngHandles& operator=(const PngHandles&) = delete;
+  ~PngHandles() { png_destroy_write_struct(&png, &info); }
+
+  png_structp png;
+  png_infop info;
+};
+
+/// All that libpng needs, made ready beforehand.
+struct PngPicture {
+  PixelWindow display, data;
+  int bits;
+  const float* values; ///< interleaved R, G, B, row by row
+  void (*encode)(std::span<const float> values, png_bytep row);
+  png_bytep row; ///< room for one
+  std::vector<png_text> texts;
+  std::string profile_name;
+  std::vector<std::byte> profile; ///< empty: sRGB
+};
+
+bool is_ascii(const std::string& text) {
+  return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 128; });
+}
+
+/// The entries point into `metadata`. tEXt is Latin-1, iTXt UTF-8.
+std::vector<png_text> text_entries(const Metadata& metadata) {
+  std::vector<png_text> texts;
+  for (const auto& [name, value] : metadata) {
+    png_text text{};
+    text.compression = is_ascii(value) ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+    text.key = const_cast<char*>(name.c_str()); // libpng only reads it
+    text.text = const_cast<char*>(value.c_str());
+    text.text_length = value.size();
+    texts.push_back(text);
+  }
+  return texts;
+}
+
+/// False when libpng reports an error. It does so by `longjmp` back into this function, so nothing
+/// in here may have a destructor.
+bool encode(png_structp png, png_infop info, std::FILE* file, const PngPicture& picture) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  const auto width = static_cast<png_uint_32>(picture.data.width());
+  const auto height = static_cast<png_uint_32>(picture.data.height());
+  png_init_io(png, file);
+  png_set_IHDR(png, info, width, height, picture.bits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  if (picture.profile.empty())
+    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
+  else
+    png_set_iCCP(png, info, picture.profile_name.c_str(), PNG_COMPRESSION_TYPE_BASE,
+                 reinterpret_cast<png_const_bytep>(picture.profile.data()),
+                 static_cast<png_uint_32>(picture.profile.size()));
+  if (picture.data != picture.display)
+    png_set_oFFs(png, info, picture.data.x0 - picture.display.x0,
+                 picture.data.y0 - picture.display.y0, PNG_OFFSET_PIXEL);
+  png_set_text(png, info, picture.texts.data(), static_cast<int>(picture.texts.size()));
+  png_write_info(png, info);
+  if (picture.bits == 16 && std::endian::native == std::endian::little) png_set_swap(png);
+  const std::size_t row_values = std::size_t{width} * 3;
+  for (std::size_t y = 0; y < height; ++y) {
+    picture.encode({picture.values + y * row_values, row_values}, picture.row);
+    png_write_row(png, picture.row);
+  }
+  png_write_end(png, nullptr);
+  return true;
+}
+
+template <class Code>
+void save(const std::filesystem::path& path, const DisplayImage& image) {
+  std::vector<Code> row(3 * static_cast<std::size_t>(image.data.width()));
+  const PngPicture picture{image.display,
+                           image.data,
+                           8 * sizeof(Code),
+                           image.encoded.data(),
+                           [](std::span<const float> values, png_bytep codes) {
+                             code_values(values, reinterpret_cast<Code*>(codes));
+                           },
+                           reinterpret_cast<png_bytep>(row.data()),
+                           text_entries(image.metadata),
+                           profile_name(image.encoding),
+                           image.encoding == DisplayEncoding{} ? std::vector<std::byte>{}
+                                                               : icc_profile(image.encoding)};
+  File file(std::fopen(path.c_str(), "wb"));
+  if (!file) throw std::system_error(errno, std::generic_category());
+  PngError error;
+  const PngHandles handles(error);
+  if (!encode(handles.png, handles.info, file.get(), picture))
+    throw std::runtime_error(error.text.data());
+  if (std::fclose(file.release()) != 0) throw std::system_error(errno, std::generic_category());
+}
+
+} // namespace
+
+void write_png(const std::filesystem::path& path, const DisplayImage& image, int bits) {
+  replace_file(path, [&](const std::filesystem::path& temporary) {
+    require_pixels(image.display, image.data, image.encoded.size(), 3);
+    if (bits == 8) return save<std::uint8_t>(temporary, image);
+    if (bits == 16) return save<std::uint16_t>(temporary, image);
+    throw std::runtime_error(fmt::format("PNG takes 8 or 16 bits here, not {}", bits));
+  });
+}
+
+} // namespace abbe

@@ -1,0 +1,171 @@
+// A camera lens is a list of its surfaces, from the object to the film; light travels along +z, and
+// a radius above 0 has its centre on the film's side:
+//
+//   ! Thorlabs AC254-050-A
+//   unit mm
+//   stop                                     ! the surface that follows is the aperture stop
+//   surface  33.34   9     N-BAF10      12.7 ! radius, thickness, medium behind, semi-diameter
+//   surface -22.28   2.5   1.72825 28.41 12.7 ! or n_d and V_d
+//   surface -291.07  43.4  air          12.7
+
+#include "io/libraries/read_lens_prescription.h"
+
+#include "core/cameras/lens_system.h"
+#include "io/libraries/read_glass.h"
+#include "io/text/similar_names.h"
+#include "spectral/band_grid.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <set>
+#include <stdexcept>
+
+namespace abbe {
+namespace {
+
+/// The lens as far as it is read.
+struct LensFile {
+  LensPrescription lens;
+  double mm_per_unit = 1.0;
+  std::optional<SourcePosition> stop_at; ///< of the keyword
+  const Warn& warn;
+  std::set<const Glass*> warned_glasses;
+};
+
+void read_unit(LensFile& file, Arguments& arguments) {
+  if (!file.lens.surfaces.empty())
+    throw ReadError(arguments.keyword().where, "unit stands too late",
+                    "surfaces before it have been read", "Move it before the first surface");
+  file.mm_per_unit =
+      arguments.choice<double>({{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}});
+}
+
+void read_stop(LensFile& file, Arguments& arguments) {
+  const SourcePosition& where = arguments.keyword().where;
+  if (file.stop_at)
+    throw ReadError(where, "stop is given twice", "the first is at " + to_string(*file.stop_at),
+                    "Remove one of them");
+  file.stop_at = where;
+  file.lens.stop = file.lens.surfaces.size();
+}
+
+/// The medium behind a surface: air, a glass of the catalogue, or n_d and V_d.
+Dispersion read_medium(LensFile& file, Arguments& arguments) {
+  if (arguments.number_follows()) {
+    const double n_d = arguments.number(kIndexRange);
+    const double v_d = arguments.number({.meaning = "the Abbe number", .open = true});
+    return cauchy_of_abbe(n_d, v_d);
+  }
+  const Token name = arguments.reader().peek();
+  if (is_word(name, "air")) {
+    arguments.reader().next();
+    return ConstantIndex{1.0};
+  }
+  const Glass& glass = read_glass(arguments);
+  const bool extrapolated = glass.lower_nm > kLowerNm || glass.upper_nm < kUpperNm;
+  if (file.warn && extrapolated && file.warned_glasses.insert(&glass).second)
+    file.warn(fmt::format("{}: glass {} is extrapolated beyond {:g}-{:g} nm (pictures need {}-{} "
+                          "nm)",
+                          to_string(name.where), glass.name, glass.lower_nm, glass.upper_nm,
+                          kLowerNm, kUpperNm));
+  return glass.dispersion;
+}
+
+void read_surface(LensFile& file, Arguments& arguments) {
+  PrescribedSurface surface;
+  if (is_word(arguments.reader().peek(), "inf"))
+    arguments.reader().next(); // flat, as 0 is
+  else
+    surface.radius_mm = file.mm_per_unit * arguments.number();
+  surface.thickness_mm = file.mm_per_unit * arguments.number({"the way to the next surface"});
+  surface.medium_after = read_medium(file, arguments);
+  if (arguments.number_follows())
+    surface.semi_diameter_mm =
+        file.mm_per_unit * arguments.number({.meaning = "half of a diameter", .open = true});
+  file.lens.surfaces.push_back(std::move(surface));
+}
+
+struct LensKeyword {
+  std::string_view usage;
+  void (*read)(LensFile&, Arguments&);
+};
+
+constexpr std::array kKeywords{
+    LensKeyword{"unit mm|cm|m|in", read_unit},
+    LensKeyword{"fNumber N",
+                [](LensFile& file, Arguments& arguments) {
+                  file.lens.f_number =
+                      arguments.number({.meaning = "focal length by aperture", .open = true});
+                }},
+    LensKeyword{"halfField angle",
+                [](LensFile& file, Arguments& arguments) {
+                  file.lens.half_field_deg =
+                      arguments.number({"half of the angle of view, in degrees", 0.0, 80.0});
+                }},
+    LensKeyword{"stop", read_stop},
+    LensKeyword{"surface radius thickness MEDIUM [semiDiameter]", read_surface},
+};
+
+std::string_view name_of(const LensKeyword& keyword) {
+  return keyword.usage.substr(0, keyword.usage.find(' '));
+}
+
+const LensKeyword& find_keyword(const Token& token) {
+  std::vector<std::string> names;
+  for (const LensKeyword& keyword : kKeywords) {
+    if (is_word(token, name_of(keyword))) return keyword;
+    names.emplace_back(name_of(keyword));
+  }
+  throw ReadError(token.where, "unknown keyword " + shown(token), "no such word in a lens file",
+                  did_you_mean(token.text, names,
+                               "The keywords are unit, fNumber, halfField, stop and surface"));
+}
+
+/// Mistakes that no single line makes.
+void check(const LensFile& file, const std::filesystem::path& path) {
+  if (file.lens.surfaces.empty())
+    throw ReadError(path, "the lens has no surface", "a lens needs glass", "Add its surfaces");
+  if (!file.stop_at)
+    throw ReadError(path, "the lens has no stop", "none of its surfaces limits the aperture",
+                    "Write stop before the surface that is the aperture stop");
+  if (file.lens.stop == file.lens.surfaces.size())
+    throw ReadError(*file.stop_at, "no surface follows stop", "it marks the surface behind it",
+                    "Write stop before the surface that is the aperture stop");
+  try {
+    (void)LensSystem(file.lens);
+  } catch (const std::invalid_argument& error) {
+    throw ReadError(path, "these data describe no camera lens", error.what(),
+                    "Check the signs of the radii, the media, the stop and the f-number");
+  }
+}
+
+} // namespace
+
+std::vector<std::string_view> lens_file_keywords() {
+  std::vector<std::string_view> usages;
+  for (const LensKeyword& keyword : kKeywords)
+    usages.push_back(keyword.usage);
+  return usages;
+}
+
+LensPrescription read_lens_prescription_text(std::string_view text,
+                                             const std::filesystem::path& path, const Warn& warn) {
+  LensFile file{{}, 1.0, {}, warn, {}};
+  file.lens.name = path.stem().string();
+  TokenReader reader(text, path.string());
+  while (!reader.at_end()) {
+    const Token token = reader.next();
+    const LensKeyword& keyword = find_keyword(token);
+    Arguments arguments(reader, token, keyword.usage);
+    keyword.read(file, arguments);
+  }
+  check(file, path);
+  return std::move(file.lens);
+}
+
+LensPrescription read_lens_prescription(const std::filesystem::path& file, const Warn& warn) {
+  return read_lens_prescription_text(read_text_file(file), file, warn);
+}
+
+} // namespace abbe

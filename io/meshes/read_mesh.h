@@ -1,0 +1,20 @@
+#pragma once
+
+#include "geometry/mesh.h"
+#include "io/text/read_arguments.h"
+
+#include <filesystem>
+#include <map>
+
+namespace abbe {
+
+/// The meshes of the files that have been read, by canonical path.
+using MeshFiles = std::map<std::filesystem::path, Mesh>;
+
+/// Reads the triangles of an OBJ or PLY file, which is found from the folder of the file that names
+/// it. Polygons are cut into triangles; normals, colours and materials are left out. A
+/// file is read once: the mesh shares its triangles with those that came from the file before.
+/// Throws ReadError at the name.
+[[nodiscard]] Mesh read_mesh(Arguments& arguments, MeshFiles& files);
+
+} // namespace abbe

@@ -1,0 +1,170 @@
+#include "core/image/develop.h"
+#include "core/planning/make_plan.h"
+#include "core/planning/plan_extent.h"
+#include "core/render/render.h"
+#include "io/images/write_exr.h"
+#include "io/images/write_image.h"
+#include "io/program/command_line.h"
+#include "io/program/interrupt.h"
+#include "io/program/list.h"
+#include "io/program/progress.h"
+#include "io/scene_language/read_scene.h"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
+namespace {
+
+using namespace abbe;
+namespace fs = std::filesystem;
+
+void print_warning(const std::string& message) {
+  fmt::print(stderr, "warning: {}\n", message);
+}
+
+void print_plan(const Plan& plan) {
+  for (const std::string& note : plan.notes)
+    fmt::print("plan: {}\n", note);
+}
+
+std::vector<fs::path> outputs_of(const Options& options, const Scene& scene) {
+  if (!options.outputs.empty()) return options.outputs;
+  return {scene.title + ".exr", scene.title + ".tiff"};
+}
+
+/// Throws when a file of this name surely could not be written.
+void check_place(const fs::path& path) {
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (!is_directory(folder))
+    throw std::invalid_argument(
+        fmt::format("{}: there is no folder {}", path.string(), folder.string()));
+  if (is_directory(path))
+    throw std::invalid_argument(fmt::format("{}: this is a folder", path.string()));
+  if (::access(folder.c_str(), W_OK) != 0)
+    throw std::invalid_argument(
+        fmt::format("{}: the folder {} cannot be written to", path.string(), folder.string()));
+}
+
+/// Finds what would make writing fail before the long work, not after it.
+void check_outputs(const std::vector<fs::path>& outputs, const std::optional<fs::path>& spectral) {
+  for (const fs::path& path : outputs)
+    if (!is_known_image_extension(path))
+      throw std::invalid_argument(fmt::format("{}: no picture can be written under this name. "
+                                              "The name should end in {}",
+                                              path.string(), known_image_extensions()));
+  if (spectral && spectral->extension() != ".exr")
+    throw std::invalid_argument(fmt::format(
+        "{}: all bands go into an EXR. The name should end in .exr", spectral->string()));
+  std::vector<fs::path> all = outputs;
+  if (spectral) all.push_back(*spectral);
+  std::set<fs::path> places;
+  for (const fs::path& path : all) {
+    check_place(path);
+    if (!places.insert(fs::weakly_canonical(fs::absolute(path))).second)
+      throw std::invalid_argument(
+          fmt::format("{}: two pictures would have this name", path.string()));
+  }
+}
+
+/// Where the sums of all bands go when they are large.
+BandPlace band_place(const fs::path& spectral) {
+  if (const char* folder = std::getenv("TMPDIR"); folder != nullptr && *folder != '\0')
+    return {folder};
+  return {spectral.has_parent_path() ? spectral.parent_path() : "."};
+}
+
+/// Each kind of picture is there only while its files are written.
+void write_outputs(const Rendering& rendering, const Plan& plan, const Options& options,
+                   const DisplaySettings& display_settings, const std::vector<fs::path>& outputs) {
+  const auto wrote = [&](const fs::path& path) {
+    if (!options.quiet) fmt::print("wrote {}\n", path.string());
+  };
+  const auto write_all = [&](bool scene_linear, const SceneLinearImage& linear,
+                             const DisplayImage& display) {
+    for (const fs::path& path : outputs) {
+      if (is_scene_linear_extension(path) != scene_linear) continue;
+      write_image(path, linear, display, options.output);
+      wrote(path);
+    }
+  };
+  if (std::ranges::any_of(outputs, is_scene_linear_extension))
+    write_all(true, develop_scene_linear(rendering.film, plan, options.output.exr_space), {});
+  if (!std::ranges::all_of(outputs, is_scene_linear_extension))
+    write_all(false, {}, develop_display(rendering.film, plan, display_settings));
+  if (!options.spectral_output) return;
+  write_spectral_exr(
+      *options.spectral_output, rendering.film.window(),
+      [&](const PixelWindow& rows) { return develop_spectral(rendering.film, plan, rows); });
+  wrote(*options.spectral_output);
+}
+
+int render_command(const Options& options) {
+  const std::atomic<bool>& stop = interrupted();
+  const Scene scene = read_scene(options.scene_path, print_warning);
+  const std::vector<fs::path> outputs = outputs_of(options, scene);
+  check_outputs(outputs, options.spectral_output);
+  const Plan plan = make_plan(scene, overridden(scene.settings, options.settings));
+  if (!options.quiet) print_plan(plan);
+  const World world(scene.shapes, farthest_coordinate(scene));
+
+  Progress progress(options.quiet);
+  const Rendering rendering = render(
+      scene, plan, world,
+      options.spectral_output ? KeepBands(band_place(*options.spectral_output)) : KeepBands(false),
+      [&](const RenderProgress& p) { progress.tell(p); }, stop);
+  progress.finish();
+  if (!options.quiet) fmt::print("{}\n", summary(rendering));
+
+  if (!rendering.complete) {
+    const fs::path partial = fs::path(outputs.front()).replace_extension(".partial.exr");
+    write_image(partial, develop_scene_linear(rendering.film, plan, options.output.exr_space), {},
+                options.output);
+    fmt::print(stderr, "interrupted: what was done is in {}\n", partial.string());
+    return kExitInterrupted;
+  }
+  write_outputs(rendering, plan, options, overridden(scene.display, options.display), outputs);
+  return 0;
+}
+
+int plan_command(const Options& options) {
+  const Scene scene = read_scene(options.scene_path, print_warning);
+  print_plan(make_plan(scene, overridden(scene.settings, options.settings)));
+  return 0;
+}
+
+int run(const Options& options) {
+  switch (options.command) {
+  case Command::render:
+    return render_command(options);
+  case Command::plan:
+    return plan_command(options);
+  case Command::list:
+    list(options);
+    return 0;
+  case Command::done:
+    return options.exit_code;
+  }
+  return kExitFailure;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(parse_command_line(argc, argv));
+  } catch (const ReadError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return kExitUsage;
+  } catch (const std::invalid_argument& error) {
+    fmt::print(stderr, "abbe: {}\n", error.what());
+    return kExitUsage;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "abbe: {}\n", error.what());
+    return kExitFailure;
+  }
+}

@@ -1,0 +1,126 @@
+// The libraries of a scene, named in it before the first use of a name,
+//
+//   lights    lights.filter
+//   materials all.mtl
+//
+// or, where none is named, the two files of these names beside the scene.
+
+#include "io/scene_language/read_scene_libraries.h"
+
+#include "io/libraries/read_lamp.h"
+#include "io/libraries/read_library.h"
+#include "io/text/similar_names.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace abbe {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What differs between the two kinds of library.
+template <class Entry>
+struct Kind {
+  std::string_view keyword;
+  std::string_view default_file;
+  std::vector<Entry> (*read)(const fs::path&, const Warn&);
+};
+constexpr Kind<LightSpectrum> kLights{"lights", "lights.filter", read_lights};
+constexpr Kind<LibraryMaterial> kMaterials{"materials", "all.mtl", read_materials};
+
+template <class Entry>
+void add_file(SceneLibrary<Entry>& library, const Kind<Entry>& kind, const fs::path& folder,
+              const Token& name) {
+  if (library.in_use)
+    throw ReadError(name.where, fmt::format("{} stands too late", kind.keyword),
+                    "a name was looked up before it", "Move it before the first use of a name");
+  const fs::path file = folder / name.text;
+  std::error_code error;
+  if (!fs::is_regular_file(file, error))
+    throw ReadError(name.where, fmt::format("there is no library \"{}\"", file.string()),
+                    "libraries are found relative to the scene's folder",
+                    "Check the name, or write the whole path");
+  for (Entry& entry : kind.read(file, {})) {
+    if (find_entry(library.entries, entry.name))
+      throw ReadError(name.where, fmt::format("{} defines \"{}\" again", file.string(), entry.name),
+                      fmt::format("it is already in {}", library.files),
+                      "Rename or remove one of them");
+    library.entries.push_back(std::move(entry));
+  }
+  library.files += (library.files.empty() ? "" : ", ") + file.string();
+}
+
+/// Warns of what is odd about an entry when it is first used, and of nothing else in the file.
+template <class Entry>
+const Entry* look_up(SceneLibrary<Entry>& library, const Kind<Entry>& kind, const fs::path& folder,
+                     std::string_view name, const Warn& warn) {
+  const fs::path file = folder / kind.default_file;
+  std::error_code error;
+  if (!library.in_use && library.files.empty() && fs::is_regular_file(file, error)) {
+    library.entries = kind.read(file, {});
+    library.files = file.string();
+  }
+  library.in_use = true;
+  for (Entry& entry : library.entries) {
+    if (!same_name(entry.name, name)) continue;
+    for (const std::string& remark : std::exchange(entry.remarks, {}))
+      warn(remark);
+    return &entry;
+  }
+  return nullptr;
+}
+
+template <class Entry>
+std::vector<std::string> names_of(const SceneLibrary<Entry>& library) {
+  std::vector<std::string> names;
+  for (const Entry& entry : library.entries)
+    names.push_back(entry.name);
+  return names;
+}
+
+template <class Entry>
+std::string searched(const SceneLibrary<Entry>& library, const Kind<Entry>& kind) {
+  if (!library.files.empty()) return "no such name in " + library.files;
+  return fmt::format("there is no {} beside the scene, and no {} keyword", kind.default_file,
+                     kind.keyword);
+}
+
+} // namespace
+
+void add_lights(SceneLibraries& libraries, const Token& file) {
+  add_file(libraries.lights, kLights, libraries.folder, file);
+}
+
+void add_materials(SceneLibraries& libraries, const Token& file) {
+  add_file(libraries.materials, kMaterials, libraries.folder, file);
+}
+
+Curve look_up_light(SceneLibraries& libraries, const Token& name, const Warn& warn) {
+  const auto* entry = look_up(libraries.lights, kLights, libraries.folder, name.text, warn);
+  if (entry && is_lamp_name(name.text) && libraries.warned_names.insert(entry->name).second)
+    warn(fmt::format("{}: {} is the light of {}, which hides the built-in light of this name",
+                     to_string(name.where), shown(name), libraries.lights.files));
+  if (entry) return spectrum(*entry);
+  if (const auto lamp = read_lamp(name)) return *lamp;
+
+  std::vector<std::string> names = names_of(libraries.lights);
+  for (std::string& lamp_name : lamp_names())
+    names.push_back(std::move(lamp_name));
+  throw ReadError(name.where, "unknown light " + shown(name),
+                  searched(libraries.lights, kLights) + "; no such illuminant",
+                  did_you_mean(name.text, names, "D65 and A are always there"));
+}
+
+const LibraryMaterial& look_up_material(SceneLibraries& libraries, const Token& name,
+                                        const Warn& warn) {
+  const auto* entry = look_up(libraries.materials, kMaterials, libraries.folder, name.text, warn);
+  if (entry) return *entry;
+  throw ReadError(name.where, "unknown material " + shown(name),
+                  searched(libraries.materials, kMaterials),
+                  did_you_mean(name.text, names_of(libraries.materials),
+                               "Add it to the material library, or name another one"));
+}
+
+} // namespace abbe

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "io/libraries/read_lights.h"
+#include "io/libraries/read_materials.h"
+#include "io/text/token.h"
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace abbe {
+
+/// The entries of a scene's libraries of one kind.
+template <class Entry>
+struct SceneLibrary {
+  std::vector<Entry> entries;
+  std::string files;   ///< for messages
+  bool in_use = false; ///< a name has been looked up; no more files can be named
+};
+
+/// The light and material libraries of a scene. Files are found relative to `folder`.
+struct SceneLibraries {
+  std::filesystem::path folder;
+  SceneLibrary<LightSpectrum> lights;
+  SceneLibrary<LibraryMaterial> materials;
+  std::set<std::string> warned_names; ///< lights that hide a built-in one
+};
+
+/// Adds the entries of the file that `file` names.
+void add_lights(SceneLibraries& libraries, const Token& file);
+void add_materials(SceneLibraries& libraries, const Token& file);
+
+/// The spectrum of a library's light, else of a built-in one. Throws ReadError with similar
+/// names when there is neither.
+[[nodiscard]] Curve look_up_light(SceneLibraries& libraries, const Token& name, const Warn& warn);
+
+/// The material of a library. Throws ReadError with similar names when there is none.
+[[nodiscard]] const LibraryMaterial& look_up_material(SceneLibraries& libraries, const Token& name,
+                                                      const Warn& warn);
+
+} // namespace abbe

@@ -1,0 +1,189 @@
+// Lights stand where the current transform puts them:
+//
+//   light 0 5 0  1 0.9 0.8                     ! Hill: a point, and a linear sRGB colour
+//   light 2a  0 5 0  1                         ! thesis: name, position, 1 = at that position
+//   light D65  1 2 0  0                        ! 0 = from that direction, parallel
+//   falloff square
+//   intensity 40
+//   softEdge 0.5
+//   sunRadius 0.2665
+//   sun 1 3 2                          ! the direction it comes from; or: sun 1 3 2 D65
+//   environment sky.exr                ! a picture of all directions; or: environment sky.exr D65
+//   0.5 spotlight 2a  0 0 -10  1  0 0 1  2         ! ..., direction, half-angle in degrees
+
+#include "io/images/read_environment.h"
+#include "io/scene_language/read_scene_state.h"
+#include "spectral/illuminant.h"
+#include "spectral/radiator.h"
+#include "spectral/rgb_spectrum.h"
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace abbe {
+namespace {
+
+/// The sun's effective temperature, of which its spectrum in the visible is not far [Cox00].
+constexpr double kSunKelvin = 5778.0;
+
+double radians(double angle_deg) {
+  return angle_deg * std::numbers::pi / 180.0;
+}
+
+void add_light(SceneState& state, std::string name, const Curve& spectrum,
+               decltype(Light::emitter) emitter) {
+  // Parallel light has no distance to fall off with.
+  const Falloff falloff =
+      std::holds_alternative<DirectionalLight>(emitter) || std::holds_alternative<SunLight>(emitter)
+          ? Falloff::none
+          : state.light.falloff;
+  state.scene.lights.push_back(
+      {std::move(name), spectrum.scaled(state.light.intensity), falloff, emitter});
+}
+
+/// A direction of the file, not 0 0 0, in the world and of unit length.
+dvec3 world_direction(const SceneState& state, const dvec3& direction) {
+  return glm::normalize(state.transform.vector(direction / largest_component(direction)));
+}
+
+bool read_is_local(Arguments& arguments) {
+  return arguments.choice<bool>({{"1", true}, {"0", false}});
+}
+
+void read_light(SceneState& state, Arguments& arguments) {
+  if (arguments.number_follows()) {
+    const dvec3 position = state.transform.point(arguments.vector());
+    add_light(state, "", rgb_emission(read_rgb(arguments)), PointLight{position});
+    return;
+  }
+  const Token name = arguments.name_token("the name of a light, or a position,");
+  const Curve spectrum = look_up_light(state.libraries, name, state.warn);
+  const SourcePosition where = arguments.reader().peek().where;
+  const dvec3 place = arguments.vector();
+  if (read_is_local(arguments)) {
+    add_light(state, name.text, spectrum, PointLight{state.transform.point(place)});
+    return;
+  }
+  if (largest_component(place) == 0.0)
+    throw ReadError(where, "light from the direction 0 0 0",
+                    "its locality is 0, so x y z is the direction it comes from",
+                    "Give a direction such as 0 1 0, or the locality 1");
+  add_light(state, name.text, spectrum, DirectionalLight{-world_direction(state, place)});
+}
+
+void read_spotlight(SceneState& state, Arguments& arguments) {
+  const Token name = arguments.name_token("the name of a light");
+  const Curve spectrum = look_up_light(state.libraries, name, state.warn);
+  SpotLight spot;
+  spot.position = state.transform.point(arguments.vector());
+  const SourcePosition locality_at = arguments.reader().peek().where;
+  if (!read_is_local(arguments))
+    throw ReadError(locality_at, "a spotlight has the locality 0", "a cone begins at a position",
+                    "Give the locality 1");
+  const SourcePosition axis_at = arguments.reader().peek().where;
+  const dvec3 axis = arguments.vector();
+  if (largest_component(axis) == 0.0)
+    throw ReadError(axis_at, "the direction of a spotlight is 0 0 0", arguments.takes(),
+                    "Give a direction such as 0 -1 0");
+  spot.axis = world_direction(state, axis);
+  const SourcePosition angle_at = arguments.reader().peek().where;
+  const double angle_deg =
+      arguments.number({"half the angle of the cone, in degrees", 0.0, 90.0, true});
+  if (state.light.soft_edge_deg > angle_deg)
+    throw ReadError(angle_at, "the spotlight is narrower than its soft edge",
+                    fmt::format("softEdge is {} degrees, the half-angle {}",
+                                state.light.soft_edge_deg, angle_deg),
+                    "Give a smaller softEdge before it");
+  spot.half_angle = radians(angle_deg);
+  spot.full_angle = radians(angle_deg - state.light.soft_edge_deg);
+  add_light(state, name.text, spectrum, spot);
+}
+
+void read_sun(SceneState& state, Arguments& arguments) {
+  const SourcePosition where = arguments.reader().peek().where;
+  const dvec3 place = arguments.vector();
+  if (largest_component(place) == 0.0)
+    throw ReadError(where, "a sun in the direction 0 0 0", "x y z is the direction it comes from",
+                    "Give a direction such as 0 1 0");
+  Curve spectrum = blackbody(kSunKelvin);
+  if (name_follows(arguments))
+    spectrum =
+        look_up_light(state.libraries, arguments.name_token("the name of a spectrum"), state.warn);
+  add_light(state, "sun", spectrum,
+            SunLight{-world_direction(state, place), state.light.sun_radius});
+}
+
+void read_sun_radius(SceneState& state, Arguments& arguments) {
+  state.light.sun_radius =
+      radians(arguments.number({"half the angle of a sun's disc, in degrees", 0.01, 90.0}));
+}
+
+/// The current transform without its stretch, which must be the same in all directions.
+glm::dmat3 rotation_of(const SceneState& state, const SourcePosition& where) {
+  glm::dmat3 axes(1.0);
+  const double length = glm::length(state.transform.vector(axes[0]));
+  for (int i = 0; i < 3; ++i)
+    axes[i] = state.transform.vector(axes[i]) / length;
+  const glm::dmat3 product = glm::transpose(axes) * axes;
+  constexpr double kNoticeable = 1e-9; // far above what a chain of rotations rounds
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (std::abs(product[i][j] - (i == j ? 1.0 : 0.0)) > kNoticeable)
+        throw ReadError(where, "the current transform stretches the environment",
+                        "angles would no longer be those of the picture",
+                        "Give it before the scale, or scale all axes alike");
+  return axes;
+}
+
+void read_environment_picture(SceneState& state, Arguments& arguments) {
+  const Token name = arguments.name_token("the name of a file");
+  Environment environment = read_environment(name, state.warn);
+  environment.to_world = rotation_of(state, arguments.keyword().where);
+  environment.has_colors = !name_follows(arguments);
+  environment.light =
+      environment.has_colors
+          ? *find_illuminant("D65")
+          : look_up_light(state.libraries, arguments.name_token("the name of a spectrum"),
+                          state.warn);
+  if (arguments.number_follows())
+    environment.factor = arguments.number({"a factor on the picture"});
+  state.scene.environment = std::move(environment);
+}
+
+void read_falloff(SceneState& state, Arguments& arguments) {
+  state.light.falloff =
+      arguments.choice<Falloff>({{"none", Falloff::none}, {"square", Falloff::square}});
+}
+
+void read_intensity(SceneState& state, Arguments& arguments) {
+  state.light.intensity = arguments.number({"a factor on the lights that follow"});
+}
+
+void read_soft_edge(SceneState& state, Arguments& arguments) {
+  state.light.soft_edge_deg =
+      arguments.number({"the width of a spotlight's edge, in degrees", 0.0, 90.0});
+}
+
+constexpr std::array kKeywords{
+    SceneKeyword{"light x y z r g b | NAME x y z LOCALITY", read_light},
+    SceneKeyword{"spotlight NAME x y z LOCALITY dx dy dz angle", read_spotlight},
+    SceneKeyword{"sun x y z [SPECTRUM]", read_sun},
+    SceneKeyword{"sunRadius angle", read_sun_radius},
+    SceneKeyword{"environment FILE [SPECTRUM] [factor]", read_environment_picture},
+    SceneKeyword{"falloff none|square", read_falloff},
+    SceneKeyword{"intensity x", read_intensity},
+    SceneKeyword{"softEdge angle", read_soft_edge},
+};
+
+} // namespace
+
+std::span<const SceneKeyword> light_keywords() {
+  return kKeywords;
+}
+
+} // namespace abbe

@@ -1,0 +1,198 @@
+// The current material applies to the shapes that follow:
+//
+//   UseMaterial StrongOrangeYellow     ! from the material library
+//
+//   defaultMaterials                   ! Hill's default, then what differs from it
+//   diffuse 0.7 0.2 0.2                ! linear sRGB
+//   reflectivity 0.3
+//
+//   glass N-BK7                        ! clear glass of the catalogue
+//   absorption 0.01                    ! per mm
+
+#include "io/libraries/read_absorption.h"
+#include "io/libraries/read_dispersion.h"
+#include "io/libraries/read_glass.h"
+#include "io/scene_language/read_scene_state.h"
+#include "spectral/band_grid.h"
+#include "spectral/rgb_spectrum.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace abbe {
+namespace {
+
+constexpr Range kFraction{"a fraction of the light", 0.0, 1.0};
+
+template <Curve Material::*part>
+void read_reflectance(SceneState& state, Arguments& arguments) {
+  require_unmixed(state, arguments);
+  state.material.finish.*part = rgb_reflectance(read_fraction_rgb(state, arguments));
+  if (part == &Material::diffuse) state.material.finish.texture.reset();
+}
+
+void read_emissive(SceneState& state, Arguments& arguments) {
+  require_unmixed(state, arguments);
+  state.material.finish.emission = read_emission(state, arguments);
+}
+
+void read_emissive_sides(SceneState& state, Arguments& arguments) {
+  require_unmixed(state, arguments);
+  state.material.finish.emits_behind = arguments.choice<bool>({{"both", true}, {"front", false}});
+}
+
+void read_exponent(SceneState& state, Arguments& arguments) {
+  require_unmixed(state, arguments);
+  state.material.finish.specular_exponent = arguments.number({"the exponent of the highlight"});
+}
+
+void read_reflectivity(SceneState& state, Arguments& arguments) {
+  require_unmixed(state, arguments);
+  state.material.finish.reflectivity = Curve::constant(arguments.number(kFraction));
+}
+
+void read_speed_of_light(SceneState& state, Arguments& arguments) {
+  const double n = arguments.number(kIndexRange);
+  const auto* law = std::get_if<ThesisScaled>(&state.material.medium.index);
+  state.material.medium.index = ThesisScaled{n, law ? law->v_number : 0.0};
+}
+
+void read_vnum(SceneState& state, Arguments& arguments) {
+  auto* law = std::get_if<ThesisScaled>(&state.material.medium.index);
+  if (!law)
+    throw ReadError(arguments.keyword().where, "vnum does not go with glass",
+                    "what fills the solid has its own dispersion",
+                    "Remove it, or give speedOfLight before it");
+  law->v_number = arguments.number(kVNumberRange);
+}
+
+void read_absorption(SceneState& state, Arguments& arguments) {
+  state.material.medium.absorption_per_mm = Curve::constant(arguments.number(kAbsorptionRange));
+}
+
+template <Curve (*read_curve)(Arguments&)>
+void read_absorption_by(SceneState& state, Arguments& arguments) {
+  state.material.medium.absorption_per_mm = read_curve(arguments);
+}
+
+void read_fresnel(SceneState& state, Arguments& arguments) {
+  require_unmixed(state, arguments);
+  state.material.finish.fresnel = arguments.on_off();
+}
+
+void read_default_materials(SceneState& state, Arguments&) {
+  state.material = CurrentMaterial{};
+}
+
+void read_clear_glass(SceneState& state, Arguments& arguments) {
+  const Glass& glass = read_glass(arguments);
+  state.material = clear_glass(state, arguments.keyword().where, glass);
+}
+
+/// Clear glass of a law that is written out.
+template <WrittenIndex (*read_law)(Arguments&, const Warn&)>
+void read_law_glass(SceneState& state, Arguments& arguments) {
+  Material clear;
+  clear.reflectivity = clear.transparency = Curve::constant(1.0);
+  WrittenIndex index = read_law(arguments, state.warn);
+  state.material = {clear, {std::move(index.name), std::move(index.law), Curve::constant(0.0)}};
+}
+
+void read_dispersion_scale(SceneState& state, Arguments& arguments) {
+  Dispersion& index = state.material.medium.index;
+  index = exaggerated(index, arguments.number(kDispersionScaleRange));
+}
+
+void read_metal_mirror(SceneState& state, Arguments& arguments) {
+  const Metal& metal = read_metal(arguments);
+  Material mirror;
+  mirror.name = metal.name;
+  mirror.reflectivity = Curve::constant(1.0);
+  mirror.metal = ConductorIndex{metal.n, metal.k};
+  state.material = {mirror, CurrentMaterial{}.medium};
+}
+
+/// A metal lets no light in.
+void read_transparency(SceneState& state, Arguments& arguments) {
+  require_unmixed(state, arguments);
+  const double share = arguments.number(kFraction);
+  if (state.material.finish.metal && share > 0.0)
+    throw ReadError(arguments.keyword().where, "transparency does not go with metal",
+                    "what a metal does not reflect it takes in", "Give a glass, or remove it");
+  state.material.finish.transparency = Curve::constant(share);
+}
+
+void read_use_material(SceneState& state, Arguments& arguments) {
+  const Token name = arguments.name_token("the name of a material");
+  state.material = named_material(state, arguments.keyword().where, name);
+}
+
+void read_priority(SceneState& state, Arguments& arguments) {
+  constexpr double kMost = std::numeric_limits<int>::max();
+  state.priority = static_cast<int>(arguments.whole_number({"a rank", -kMost, kMost}));
+}
+
+constexpr std::array kKeywords{
+    SceneKeyword{"UseMaterial NAME", read_use_material, true},
+    SceneKeyword{"ambient r g b", read_reflectance<&Material::ambient>, true},
+    SceneKeyword{"diffuse r g b", read_reflectance<&Material::diffuse>, true},
+    SceneKeyword{"specular r g b", read_reflectance<&Material::specular>, true},
+    SceneKeyword{"emissive r g b | SPECTRUM [factor]", read_emissive, true},
+    SceneKeyword{"emissiveSides both|front", read_emissive_sides, true},
+    SceneKeyword{"specularExponent e", read_exponent, true},
+    SceneKeyword{"reflectivity x", read_reflectivity, true},
+    SceneKeyword{"transparency x", read_transparency, true},
+    SceneKeyword{"speedOfLight n", read_speed_of_light, true},
+    SceneKeyword{"vnum v", read_vnum, true},
+    SceneKeyword{"fresnel on|off", read_fresnel, true},
+    SceneKeyword{"defaultMaterials", read_default_materials, true},
+    SceneKeyword{"glass NAME", read_clear_glass, true},
+    SceneKeyword{"metal NAME", read_metal_mirror, true},
+    SceneKeyword{kCauchyUsage, read_law_glass<read_cauchy>, true},
+    SceneKeyword{kAbbeUsage, read_law_glass<read_abbe>, true},
+    SceneKeyword{kIndexTableUsage, read_law_glass<read_index_table>, true},
+    SceneKeyword{kIndexFitUsage, read_law_glass<read_index_fit>, true},
+    SceneKeyword{kQuartzUsage, read_law_glass<read_quartz>, true},
+    SceneKeyword{kDispersionScaleUsage, read_dispersion_scale, true},
+    SceneKeyword{"absorption x", read_absorption, true},
+    SceneKeyword{kAbsorptionTableUsage, read_absorption_by<read_absorption_table>, true},
+    SceneKeyword{kInternalTransmittanceUsage, read_absorption_by<read_internal_transmittance>,
+                 true},
+    SceneKeyword{"priority n", read_priority},
+};
+
+} // namespace
+
+void warn_of_extrapolation(SceneState& state, const SourcePosition& where, const Glass& glass) {
+  if (glass.lower_nm <= kLowerNm && glass.upper_nm >= kUpperNm) return;
+  if (!state.warned_glasses.insert(&glass).second) return;
+  warn_at(state, where,
+          fmt::format("glass {} is extrapolated beyond {:g}-{:g} nm (pictures need {}-{} nm)",
+                      glass.name, glass.lower_nm, glass.upper_nm, kLowerNm, kUpperNm));
+}
+
+LinearRgb read_fraction_rgb(SceneState& state, Arguments& arguments) {
+  const LinearRgb color = read_rgb(arguments);
+  if (std::max({color.r, color.g, color.b}) > 1.0)
+    warn_at(state, arguments.keyword().where,
+            fmt::format("{} above 1 counts as 1 (nothing reflects more than it gets)",
+                        arguments.name()));
+  return color;
+}
+
+CurrentMaterial clear_glass(SceneState& state, const SourcePosition& where, const Glass& glass) {
+  warn_of_extrapolation(state, where, glass);
+  Material clear;
+  clear.name = glass.name;
+  clear.reflectivity = clear.transparency = Curve::constant(1.0);
+  return {clear, {glass.name, glass.dispersion, Curve::constant(0.0)}};
+}
+
+std::span<const SceneKeyword> material_keywords() {
+  return kKeywords;
+}
+
+} // namespace abbe

@@ -1,0 +1,67 @@
+// What lies on a surface, and how smooth it is; these are parts of the current material:
+//
+//   metal Al        roughness 0.3                ! brushed, alike in all directions
+//   glass N-BK7     thinFilm 100 1.38            ! an anti-reflection coating
+//   speedOfLight 1  transparency 1  reflectivity 1  thinFilm 400 water-20C   ! a soap bubble
+//   diffuse 0.7 0.1 0.1  coat 1.5                ! plastic
+
+#include "io/libraries/read_glass.h"
+#include "io/scene_language/read_scene_state.h"
+
+#include <array>
+
+namespace abbe {
+namespace {
+
+void read_roughness(SceneState& state, Arguments& arguments) {
+  state.material.finish.roughness = arguments.number({"a roughness", 0.0, 1.0});
+}
+
+void read_compensation(SceneState& state, Arguments& arguments) {
+  state.material.finish.compensation = arguments.on_off();
+}
+
+/// A number, or a glass of the catalogue.
+Dispersion read_index(SceneState& state, Arguments& arguments) {
+  if (arguments.number_follows()) return ConstantIndex{arguments.number(kIndexRange)};
+  const Glass& glass = read_glass(arguments);
+  return clear_glass(state, arguments.keyword().where, glass).medium.index;
+}
+
+void read_thin_film(SceneState& state, Arguments& arguments) {
+  const double nm = arguments.number({"a thickness in nm, 0 for none", 0.0, 1e6});
+  Dispersion index = read_index(state, arguments);
+  state.material.finish.film.reset();
+  if (nm > 0.0) state.material.finish.film = ThinFilm{nm, std::move(index)};
+}
+
+void read_coat(SceneState& state, Arguments& arguments) {
+  state.material.finish.coat = read_index(state, arguments);
+}
+
+constexpr std::array kKeywords{
+    SceneKeyword{"roughness x", read_roughness, true},
+    SceneKeyword{"compensation on|off", read_compensation, true},
+    SceneKeyword{"thinFilm thickness n|GLASS", read_thin_film, true},
+    SceneKeyword{"coat n|GLASS", read_coat, true},
+};
+
+} // namespace
+
+void check_surface(const SourcePosition& where, const Material& finish) {
+  const bool boundary = finish.metal || is_transparent(finish);
+  if (finish.coat && boundary)
+    throw ReadError(where, "coat does not go with glass or metal",
+                    "it lies on the diffuse part of an opaque surface",
+                    "Give defaultMaterials before it, or thinFilm instead");
+  if (finish.film && !boundary)
+    throw ReadError(where, "thinFilm lies on neither glass nor metal",
+                    "an opaque surface without an index has no light to interfere with",
+                    "Give a glass, a metal or a transparency, or coat instead");
+}
+
+std::span<const SceneKeyword> surface_keywords() {
+  return kKeywords;
+}
+
+} // namespace abbe

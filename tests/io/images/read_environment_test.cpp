@@ -1,0 +1,151 @@
+#include "io/images/read_environment.h"
+
+#include "io/images/write_exr.h"
+#include "spectral/illuminant.h"
+#include "tests/catch.h"
+#include "tests/io/scene_language/read_scene_helpers.h"
+#include "tests/io/temporary_folder.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+
+#include <fstream>
+#include <limits>
+
+using namespace abbe;
+using test::Folder;
+
+namespace {
+
+/// A picture of 3 x 2 pixels beside which scenes lie.
+struct Pictures {
+  Folder folder;
+  std::vector<std::string> warnings;
+
+  Pictures() { write("sky.exr", {}); }
+
+  void write(const std::string& name, std::optional<float> value) {
+    const PixelWindow window{0, 0, 3, 2};
+    SceneLinearImage image{window, window, {}, {}};
+    for (int i = 0; i < 24; ++i)
+      image.rgba.push_back(0.25f * static_cast<float>(i));
+    if (value) image.rgba[4 * 4 + 1] = *value; // column 1, row 1
+    write_exr(folder.path / name, image, ExrPixel::single);
+  }
+  /// By OpenEXR: one channel that counts pixels.
+  void write_one_channel(const std::string& name, const char* channel) {
+    Imf::Header header(3, 2);
+    header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+    Imf::Chromaticities wide;
+    wide.green.y = 0.9f;
+    Imf::addChromaticities(header, wide);
+    const float values[] = {0, 1, 2, 3, 4, 5};
+    Imf::FrameBuffer frame;
+    frame.insert(channel, Imf::Slice::Make(Imf::FLOAT, values, header.dataWindow(), sizeof(float),
+                                           3 * sizeof(float)));
+    Imf::OutputFile file((folder.path / name).c_str(), header);
+    file.setFrameBuffer(frame);
+    file.writePixels(2);
+  }
+  Scene read(const std::string& text) {
+    return read_scene_text(text, folder.path / "s.sdl",
+                           [&](const std::string& message) { warnings.push_back(message); });
+  }
+  /// The message without the folder's name.
+  std::string error(const std::string& text) {
+    try {
+      (void)read(text);
+    } catch (const ReadError& fault) {
+      std::string message = fault.what();
+      const std::string path = folder.path.string() + "/";
+      for (std::size_t at; (at = message.find(path)) != std::string::npos;)
+        message.erase(at, path.size());
+      return message;
+    }
+    return "no error";
+  }
+};
+
+} // namespace
+
+TEST_CASE("an environment is a picture with its colours") {
+  Pictures pictures;
+  const Scene scene = pictures.read("environment sky.exr sphere");
+  REQUIRE(scene.environment);
+  const Environment& e = *scene.environment;
+  CHECK(e.width == 3);
+  CHECK(e.height == 2);
+  REQUIRE(e.rgb.size() == 18);
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t c = 0; c < 3; ++c)
+      CHECK(e.rgb[3 * i + c] == 0.25f * static_cast<float>(4 * i + c));
+  CHECK(e.factor == 1.0);
+  CHECK(e.has_colors);
+  CHECK(e.light == *find_illuminant("D65"));
+  CHECK(e.to_world == glm::dmat3(1.0));
+  CHECK(scene.shapes.size() == 1);
+  CHECK_FALSE(pictures.read("sphere").environment.has_value());
+}
+
+TEST_CASE("an environment takes a factor, a spectrum, and the turn of the current transform") {
+  Pictures pictures;
+  CHECK(pictures.read("environment sky.exr 2.5").environment->factor == 2.5);
+  const Scene lit = pictures.read("environment sky.exr A 3");
+  CHECK(lit.environment->factor == 3.0);
+  CHECK_FALSE(lit.environment->has_colors);
+  CHECK(lit.environment->light == *find_illuminant("A"));
+  CHECK(pictures.read("environment sky.exr \"E\" plane").environment->light.constant_value() ==
+        1.0);
+  const glm::dmat3 turn =
+      pictures.read("translate 1 2 3 scale 4 4 4 rotate 90 0 1 0 environment sky.exr")
+          .environment->to_world;
+  CHECK(glm::length(turn[0] - dvec3(0, 0, -1)) < 1e-14);
+  CHECK(glm::length(turn[1] - dvec3(0, 1, 0)) < 1e-14);
+  CHECK(glm::length(turn[2] - dvec3(1, 0, 0)) < 1e-14);
+}
+
+TEST_CASE("a picture of luminance alone is grey, and other primaries are told of") {
+  Pictures pictures;
+  pictures.write_one_channel("grey.exr", "Y");
+  const Scene scene = pictures.read("environment grey.exr");
+  for (std::size_t i = 0; i < 18; ++i)
+    CHECK(scene.environment->rgb[i] == static_cast<float>(i / 3));
+  REQUIRE(pictures.warnings.size() == 1);
+  CHECK(pictures.warnings[0].find("s.sdl:1:13: ") != std::string::npos);
+  CHECK(pictures.warnings[0].find("has other primaries than sRGB; it is read as if it had not") !=
+        std::string::npos);
+}
+
+TEST_CASE("errors of environments") {
+  Pictures pictures;
+  CHECK(pictures.error("environment nowhere.exr") ==
+        "s.sdl:1:13: there is no file \"nowhere.exr\" (pictures are found relative to the file "
+        "that names them). Check the name, or write the whole path");
+  std::ofstream(pictures.folder.path / "text.exr") << "no picture";
+  CHECK(pictures.error("environment text.exr")
+            .find("s.sdl:1:13: \"text.exr\" cannot be understood (") == 0);
+  pictures.write_one_channel("depth.exr", "Z");
+  CHECK(pictures.error("environment depth.exr") ==
+        "s.sdl:1:13: \"depth.exr\" holds no colours (it has neither channels R, G and B nor a "
+        "channel Y). Give a picture in linear sRGB");
+  for (const float value :
+       {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+    pictures.write("bad.exr", value);
+    CHECK(pictures.error("environment bad.exr") ==
+          "s.sdl:1:13: \"bad.exr\" has a pixel that is no number (the one in column 1, row 1). "
+          "Mend the picture");
+  }
+  CHECK(pictures.error("environment sky.exr -1") ==
+        "s.sdl:1:21: -1 is out of range for environment (it is a factor on the picture). Give a "
+        "number 0 or more");
+  CHECK(pictures.error("scale 1 2 1 environment sky.exr") ==
+        "s.sdl:1:13: the current transform stretches the environment (angles would no longer be "
+        "those of the picture). Give it before the scale, or scale all axes alike");
+  CHECK(pictures.error("environment sky.exr D66").find("s.sdl:1:21: unknown light \"D66\"") == 0);
+  CHECK(pictures.error("environment {")
+            .find("s.sdl:1:13: \"{\" stands where the name of a file "
+                  "should") == 0);
+}

@@ -1,0 +1,128 @@
+#include "tests/io/scene_language/read_scene_helpers.h"
+
+#include "geometry/world.h"
+#include "tests/catch.h"
+
+#include <fstream>
+#include <optional>
+
+using namespace abbe;
+
+namespace {
+
+const std::string kCubeObj = "v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\n"
+                             "v -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"
+                             "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+const std::string kTetrahedronPly =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+
+/// A scene and a mesh in a folder of their own, removed at the end.
+struct Folder {
+  std::filesystem::path path = std::filesystem::temp_directory_path() / "abbe_mesh_test";
+  std::vector<std::string> warnings;
+
+  Folder() {
+    std::filesystem::remove_all(path);
+    std::filesystem::create_directories(path / "parts");
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { std::filesystem::remove_all(path); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(path / name) << text;
+  }
+  Scene read(const std::string& text) {
+    return read_scene_text(text, path / "s.sdl",
+                           [&](const std::string& message) { warnings.push_back(message); });
+  }
+  std::string error(const std::string& text) {
+    try {
+      (void)read(text);
+    } catch (const ReadError& error) {
+      std::string message = error.what();
+      const std::string folder = path.string() + "/";
+      for (std::size_t at; (at = message.find(folder)) != std::string::npos;)
+        message.erase(at, folder.size());
+      return message;
+    }
+    return "no error";
+  }
+};
+
+} // namespace
+
+TEST_CASE("meshes in OBJ and PLY become solids where they are closed") {
+  Folder folder;
+  folder.write("cube.obj", kCubeObj);
+  folder.write("parts/corner.PLY", kTetrahedronPly);
+  folder.write("parts/part.sdl", "mesh corner.PLY");
+  const Scene scene =
+      folder.read("glass N-BK7 mesh cube.obj translate 5 0 0 include parts/part.sdl");
+  REQUIRE(scene.shapes.size() == 2);
+  CHECK(std::get<Mesh>(scene.shapes[0].shape).triangles().size() == 12);
+  CHECK(std::get<Mesh>(scene.shapes[0].shape).vertices().size() == 8);
+  CHECK(scene.shapes[0].medium.valid());
+  CHECK(contains(scene.shapes[0], {0.9, -0.9, 0.9}));
+  CHECK(contains(scene.shapes[1], {5.1, 0.1, 0.1}));
+  CHECK_FALSE(contains(scene.shapes[1], {5.9, 0.9, 0.9}));
+  CHECK(folder.warnings.empty());
+}
+
+TEST_CASE("a file that is named again shares its triangles, under whatever name") {
+  Folder folder;
+  folder.write("cube.obj", kCubeObj);
+  folder.write("copy.obj", kCubeObj);
+  folder.write("parts/part.sdl", "mesh ../cube.obj");
+  std::filesystem::create_symlink(folder.path / "cube.obj", folder.path / "link.obj");
+  const Scene scene =
+      folder.read("def block { mesh cube.obj } use block translate 3 0 0 use block "
+                  "mesh ./cube.obj mesh link.obj include parts/part.sdl mesh copy.obj");
+  REQUIRE(scene.shapes.size() == 6);
+  const auto vertices = [&](std::size_t i) {
+    return std::get<Mesh>(scene.shapes[i].shape).vertices().data();
+  };
+  for (std::size_t i = 1; i < 5; ++i)
+    CHECK(vertices(i) == vertices(0));
+  CHECK(vertices(5) != vertices(0));
+  const World world(scene.shapes, 10.0);
+  CHECK(std::get<Mesh>(world.shapes()[3].shape).vertices().data() == vertices(0));
+  CHECK(contains(world.shapes()[2], {3.9, 0.9, 0.9}));
+}
+
+TEST_CASE("glass in an open mesh is a warning") {
+  Folder folder;
+  folder.write("leaf.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Scene scene = folder.read("mesh leaf.obj glass N-BK7 mesh leaf.obj");
+  REQUIRE(scene.shapes.size() == 2);
+  CHECK_FALSE(scene.shapes[1].medium.valid());
+  REQUIRE(folder.warnings.size() == 1);
+  CHECK(
+      folder.warnings[0].find("s.sdl:1:27: the mesh has no inside to fill (some edge does not join "
+                              "two triangles of one sense)") != std::string::npos);
+}
+
+TEST_CASE("errors of meshes") {
+  Folder folder;
+  folder.write("cube.stl", "solid");
+  folder.write("bad.ply", "this is no ply file");
+  folder.write("points.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+  CHECK(
+      folder.error("mesh cube.stl") ==
+      "s.sdl:1:6: \"cube.stl\" is no mesh (its name ends neither in .obj nor in .ply). Give a file "
+      "of one of these formats");
+  CHECK(folder.error("mesh no.ply") ==
+        "s.sdl:1:6: there is no file \"no.ply\" (meshes are found relative to the file that names "
+        "them). Check the name, or write the whole path");
+  CHECK(folder.error("mesh bad.ply").find("s.sdl:1:6: \"bad.ply\" cannot be understood (") == 0);
+  CHECK(
+      folder.error("mesh points.obj") ==
+      "s.sdl:1:6: \"points.obj\" holds no surface (there is no triangle with an area). Give a file "
+      "with triangles or polygons");
+  CHECK(
+      folder.error("union cube mesh cube.obj") ==
+      "s.sdl:1:12: mesh cannot be an operand (booleans combine convex solids). Give it a place of "
+      "its own, with a priority where it overlaps others");
+}

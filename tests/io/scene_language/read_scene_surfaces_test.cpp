@@ -1,0 +1,75 @@
+#include "tests/io/scene_language/read_scene_helpers.h"
+
+#include "spectral/glass.h"
+#include "tests/catch.h"
+
+using namespace abbe;
+
+TEST_CASE("surfaces are smooth and bare unless the scene says otherwise") {
+  const Material plain = scene_of("sphere").materials.at(0);
+  CHECK(plain.roughness == 0.0);
+  CHECK(plain.compensation);
+  CHECK_FALSE(plain.film.has_value());
+  CHECK_FALSE(plain.coat.has_value());
+}
+
+TEST_CASE("roughness, film and coat are parts of the current material") {
+  const Scene scene = scene_of("metal Al roughness 0.3 compensation off thinFilm 100 1.38 sphere "
+                               "compensation on thinFilm 0 1 sphere "
+                               "glass N-BK7 thinFilm 250.5 water-20C sphere "
+                               "defaultMaterials coat 1.5 sphere coat N-BK7 sphere");
+  const Material& brushed = scene.materials.at(0);
+  CHECK(brushed.roughness == 0.3);
+  CHECK_FALSE(brushed.compensation);
+  CHECK(brushed.film == ThinFilm{100.0, ConstantIndex{1.38}});
+  CHECK(scene.materials.at(1).compensation);
+  CHECK(scene.materials.at(1).roughness == 0.3);
+  CHECK_FALSE(scene.materials.at(1).film.has_value());
+  CHECK(scene.materials.at(2).roughness == 0.0); // glass begins anew
+  CHECK(scene.materials.at(2).film == ThinFilm{250.5, find_glass("water-20C")->dispersion});
+  CHECK(scene.materials.at(3).coat == Dispersion(ConstantIndex{1.5}));
+  CHECK(scene.materials.at(4).coat == find_glass("N-BK7")->dispersion);
+  CHECK(scene.materials.size() == 5);
+}
+
+TEST_CASE("a film on an operand is checked with the operand's own finish") {
+  const Scene scene = scene_of("glass N-BK7 union thinFilm 100 1.38 sphere cube");
+  CHECK(scene.materials.size() == 2);
+  CHECK(scene_error("glass N-BK7 union coat 1.5 sphere cube") ==
+        "s.sdl:1:28: coat does not go with glass or metal (it lies on the diffuse part of an "
+        "opaque surface). Give defaultMaterials before it, or thinFilm instead");
+}
+
+TEST_CASE("errors of surfaces") {
+  for (const std::string x : {"-0.1", "1.5"})
+    CHECK(scene_error("roughness " + x) ==
+          "s.sdl:1:11: " + x +
+              " is out of range for roughness (it is a roughness). Give a number from 0 to 1");
+  CHECK(scene_error("compensation yes") ==
+        "s.sdl:1:14: \"yes\" is no choice of compensation (compensation takes on|off). Give on or "
+        "off");
+  CHECK(scene_error("thinFilm -1 1.3") ==
+        "s.sdl:1:10: -1 is out of range for thinFilm (it is a thickness in nm, 0 for none). Give a "
+        "number from 0 to 1000000");
+  CHECK(scene_error("thinFilm 100 0") == "s.sdl:1:14: 0 is out of range for thinFilm (it is the "
+                                         "refractive index). Give a number more than 0");
+  CHECK(scene_error("coat Perspex").find("s.sdl:1:6: unknown glass \"Perspex\"") == 0);
+  CHECK(scene_error("coat") == "s.sdl:1:5: the end of the file stands where the name of a glass "
+                               "should (coat takes n|GLASS). Give a name; one with spaces goes in "
+                               "double quotes");
+  CHECK(scene_error("thinFilm 100 1.3 cube") ==
+        "s.sdl:1:18: thinFilm lies on neither glass nor metal (an opaque surface without an index "
+        "has no light to interfere with). Give a glass, a metal or a transparency, or coat "
+        "instead");
+  for (const std::string below : {"metal Au", "glass N-BK7", "transparency 1"})
+    CHECK(scene_error(below + "\ncoat 1.5 cube") ==
+          "s.sdl:2:10: coat does not go with glass or metal (it lies on the diffuse part of an "
+          "opaque surface). Give defaultMaterials before it, or thinFilm instead");
+}
+
+TEST_CASE("a glass of a film or coat is warned of like one that fills") {
+  std::vector<std::string> warnings;
+  (void)scene_of("coat SF11 cube coat SF11 cube glass N-BK7 thinFilm 10 SF11 cube", &warnings);
+  const Glass& sf11 = *find_glass("SF11");
+  CHECK(warnings.size() == (sf11.lower_nm > 377.5 || sf11.upper_nm < 782.5 ? 1 : 0));
+}
