@@ -10,7 +10,7 @@ constexpr double kBranchShare = 1.0 / 32.0;
 
 } // namespace
 
-Path::Path(const Plan& plan, const World& world, const Lamps& lamps,
+Path::Path(const Plan& plan, const World& world, const Lights& lamps,
            const LightPasses* light_passes, double pixel_angle)
     : BundleWalk(plan, world, pixel_angle, Transport::radiance), lamps_(lamps),
       photons_(light_passes ? &light_passes->map() : nullptr),
@@ -55,7 +55,7 @@ void Path::gather() {
   double weight = 1.0;
   if (bundle_.density > 0.0) {
     const dvec3 spread_at = bundle_.state.ray.at(-bundle_.passed);
-    weight = bundle_.density / (bundle_.density + lamps_.density(spread_at, hit));
+    weight = bundle_.density / (bundle_.density + lamps_.pdf(spread_at, hit));
   }
   sums_->add(material.emission_source, throughput_.data(), ones_, static_cast<float>(weight), first,
              last);
@@ -138,8 +138,8 @@ void Path::aim_at_a_lamp(const Hit& hit) {
   if (shadow_rays_.through_glass()) {
     // Paths that meet the lamp behind glass leave it to this ray, but not the environment.
     if (lamp->environment) return;
-  } else if (lamp->density > 0.0) {
-    weight *= lamp->density / (lamp->density + density);
+  } else if (lamp->pdf > 0.0) {
+    weight *= lamp->pdf / (lamp->pdf + density);
   }
   for (int b = first; b < last; ++b)
     light_[static_cast<std::size_t>(b)] *= throughput_[static_cast<std::size_t>(b)] * arriving[b];

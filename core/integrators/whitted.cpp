@@ -1,7 +1,7 @@
 #include "core/integrators/whitted.h"
 
 #include "core/bands/band_math.h"
-#include "core/emitters/illumination.h"
+#include "core/lights/light_kinds.h"
 #include "core/optics/coated_diffuse.h"
 #include "core/optics/fresnel.h"
 #include "core/scattering/conductor.h"
@@ -22,7 +22,7 @@ constexpr double kSurePart = 1.0 / 16.0;
 
 } // namespace
 
-Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
+Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, const Lights& lamps,
                  double pixel_angle)
     : scene_(scene), plan_(plan), world_(world), lamps_(lamps), wavelengths_(plan),
       fan_(plan, world, pixel_angle), shadow_rays_(plan, world),

@@ -4,7 +4,7 @@
 #include "core/integrators/integrator.h"
 #include "core/integrators/shadow.h"
 #include "core/integrators/single_scatter.h"
-#include "core/lamps/lamps.h"
+#include "core/lights/lights.h"
 #include "core/scattering/dielectric.h"
 
 #include <vector>
@@ -17,7 +17,7 @@ namespace abbe {
 class Whitted final : public CameraIntegrator {
 public:
   /// Keeps references to all.
-  Whitted(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
+  Whitted(const Scene& scene, const Plan& plan, const World& world, const Lights& lamps,
           double pixel_angle);
 
   void trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
@@ -47,7 +47,7 @@ private:
   const Scene& scene_;
   const Plan& plan_;
   const World& world_;
-  const Lamps& lamps_; ///< of which only the sky is seen
+  const Lights& lamps_; ///< of which only the sky is seen
   PathWavelengths wavelengths_;
   Fan fan_;
   ShadowRays shadow_rays_;
