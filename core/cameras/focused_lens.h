@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/cameras/lens_system.h"
-#include "core/scene/scene.h"
+#include "core/scene/camera.h"
 
 namespace abbe {
 
@@ -10,14 +10,15 @@ struct FocusedLens {
   LensSystem lens;
   double film_distance;  ///< from the last vertex
   double focus_distance; ///< from the first vertex to what is sharp at the d line; may be infinite
-  double film_height;    ///< of the whole picture
+  double film_height;    ///< of the whole image
 
-  /// The tangent of the angle that the whole picture's height has, seen from the first vertex.
-  [[nodiscard]] double picture_slope() const;
+  /// The tangent of the angle that the whole image's height has, seen from the first vertex.
+  [[nodiscard]] double image_slope() const;
 };
 
-/// Sets up the lens of a camera that has one. Throws std::invalid_argument when that is impossible:
+/// Sets up a camera's lens. Throws std::invalid_argument when that is impossible:
 /// the aperture is too wide, or the focus is too near.
-[[nodiscard]] FocusedLens focused_lens(const Camera& camera, double mm_per_unit);
+[[nodiscard]] FocusedLens focused_lens(const RealLens& lens, const Camera& camera,
+                                       double mm_per_unit);
 
 } // namespace abbe

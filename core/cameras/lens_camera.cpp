@@ -1,30 +1,31 @@
 #include "core/cameras/lens_camera.h"
 
+#include "core/sampling/sampler.h"
 #include "geometry/disc_point.h"
 
-#include "core/cameras/camera.h"
-#include "core/sampling/sampler.h"
-
 #include <cmath>
+#include <numbers>
 
 namespace abbe {
 namespace {
 
 /// From the middle of the film to the farthest place of a sample.
-double film_radius(const FocusedLens& lens, int width, int height) {
-  const double reach = filter_radius(PixelFilter::gaussian); // the widest
-  const double x = 0.5 * width + reach, y = 0.5 * height + reach;
-  return lens.film_height / height * std::sqrt(x * x + y * y);
+double film_radius(const FocusedLens& lens, const ImageScale& image) {
+  const double beyond = filter_radius(PixelFilter::gaussian); // the widest
+  const double x = 0.5 * image.width + beyond, y = 0.5 * image.height + beyond;
+  return lens.film_height / image.height * std::sqrt(x * x + y * y);
 }
 
 } // namespace
 
-LensCamera::LensCamera(const Camera& camera, double mm_per_unit, int width, int height)
-    : focused_(focused_lens(camera, mm_per_unit)), coating_(camera.lens_coating),
-      mm_per_unit_(mm_per_unit), eye_(camera.eye),
-      backward_(glm::normalize(camera.eye - camera.look_at)), center_(0.5 * width, 0.5 * height),
-      pixel_mm_(focused_.film_height / height), pixel_angle_(focused_.picture_slope() / height),
-      pupil_(focused_, film_radius(focused_, width, height)) {
+LensCamera::LensCamera(const RealLens& lens, const Camera& camera, const ImageScale& image)
+    : focused_(focused_lens(lens, camera, image.mm_per_unit)), coating_(lens.coating),
+      mm_per_unit_(image.mm_per_unit), eye_(camera.eye),
+      backward_(glm::normalize(camera.eye - camera.look_at)),
+      center_(0.5 * image.width, 0.5 * image.height),
+      pixel_mm_(focused_.film_height / image.height),
+      pixel_angle_(focused_.image_slope() / image.height),
+      pupil_(focused_, film_radius(focused_, image)) {
   right_ = glm::normalize(glm::cross(camera.up, backward_));
   up_ = glm::cross(backward_, right_);
 }
@@ -54,6 +55,25 @@ std::optional<LensCamera::FilmRay> LensCamera::film_ray(const glm::dvec2& positi
 Ray LensCamera::to_world(const Ray& ray) const {
   const auto turned = [&](const dvec3& v) { return v.x * right_ + v.y * up_ + v.z * backward_; };
   return {eye_ + turned(ray.origin) / mm_per_unit_, glm::normalize(turned(ray.direction))};
+}
+
+/// A way through all of the lens would have to be found; light paths leave the light to the photon
+/// map.
+std::optional<CameraConnection> LensCamera::connect(const dvec3&) const {
+  return std::nullopt;
+}
+
+LensCamera place(const RealLens& kind, const Camera& camera, const ImageScale& image) {
+  return {kind, camera, image};
+}
+
+Projection projection(const RealLens&, const Camera&, const ImageScale&) {
+  return {};
+}
+
+double reach(const RealLens& kind, double mm_per_unit) {
+  const double semi_diameter = LensSystem(kind.prescription).surfaces().front().semi_diameter;
+  return std::numbers::sqrt2 * semi_diameter / mm_per_unit;
 }
 
 } // namespace abbe

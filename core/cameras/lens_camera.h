@@ -1,7 +1,9 @@
 #pragma once
 
+#include "core/cameras/camera_connection.h"
 #include "core/cameras/exit_pupil.h"
 #include "core/cameras/focused_lens.h"
+#include "core/cameras/image_scale.h"
 
 #include <glm/vec2.hpp>
 
@@ -20,7 +22,7 @@ namespace abbe {
 class LensCamera {
 public:
   /// Throws like focused_lens.
-  LensCamera(const Camera& camera, double mm_per_unit, int width, int height);
+  LensCamera(const RealLens& lens, const Camera& camera, const ImageScale& image);
 
   /// The way of light from a place on the film to the lens.
   struct FilmRay {
@@ -38,6 +40,9 @@ public:
   }
   [[nodiscard]] Ray to_world(const Ray& ray) const;
 
+  static constexpr bool kConnects = false;
+  [[nodiscard]] std::optional<CameraConnection> connect(const dvec3& point) const;
+
   [[nodiscard]] const LensSystem& lens() const { return focused_.lens; }
   /// Width of a pixel in the middle of the image as seen from the first vertex, in radians.
   [[nodiscard]] double pixel_angle() const { return pixel_angle_; }
@@ -54,5 +59,13 @@ private:
   double pixel_mm_, pixel_angle_;
   ExitPupil pupil_;
 };
+
+// What PlacedCamera asks of a kind of camera; see placed_camera.h.
+
+[[nodiscard]] LensCamera place(const RealLens& kind, const Camera& camera, const ImageScale& image);
+[[nodiscard]] Projection projection(const RealLens& kind, const Camera& camera,
+                                    const ImageScale& image);
+/// The rim of the first surface lies no farther behind the vertex than from the axis.
+[[nodiscard]] double reach(const RealLens& kind, double mm_per_unit);
 
 } // namespace abbe

@@ -26,7 +26,7 @@ struct Cone {
 
   [[nodiscard]] double solid_angle() const { return 2.0 * std::numbers::pi * one_minus_cos; }
   /// Of directions chosen by `sample`, per steradian.
-  [[nodiscard]] double density() const { return 0.5 * std::numbers::inv_pi / one_minus_cos; }
+  [[nodiscard]] double pdf() const { return 0.5 * std::numbers::inv_pi / one_minus_cos; }
 
   /// A unit direction for two numbers in [0, 1), uniform in solid angle: 1 - cos is uniform, as the
   /// squared radius of a disc's points is.

@@ -12,7 +12,7 @@
 namespace abbe {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 SmoothCurve smooth_curve(const LinearRgb& color) {
   static const SmoothEmissions emissions;
@@ -54,12 +54,12 @@ EnvironmentMap::EnvironmentMap(const Environment& environment,
 void EnvironmentMap::choose_cells() {
   row_cosines_.push_back(1.0);
   for (int j = 0; j < height_; ++j)
-    row_cosines_.push_back(std::cos(kPi * (j + 0.5) / height_));
+    row_cosines_.push_back(std::cos(pi * (j + 0.5) / height_));
   row_cosines_.push_back(-1.0);
   std::vector<double> weights;
   for (int row = 0; row <= height_; ++row) {
     const auto r = static_cast<std::size_t>(row);
-    const double angle = 2.0 * kPi / width_ * (row_cosines_[r] - row_cosines_[r + 1]);
+    const double angle = 2.0 * pi / width_ * (row_cosines_[r] - row_cosines_[r + 1]);
     for (int column = 0; column < width_; ++column)
       weights.push_back(angle * mean_luminance(corners(row, column)));
   }
@@ -81,8 +81,8 @@ EnvironmentMap::Corners EnvironmentMap::corners(int row, int column) const {
 
 EnvironmentMap::Corners EnvironmentMap::corners(const dvec3& direction) const {
   const dvec3 d = direction * to_world_; // by the transpose, which is the inverse
-  const double x = (0.5 + std::atan2(d.x, -d.z) / (2.0 * kPi)) * width_ - 0.5;
-  const double y = std::acos(std::clamp(d.y, -1.0, 1.0)) / kPi * height_ - 0.5;
+  const double x = (0.5 + std::atan2(d.x, -d.z) / (2.0 * pi)) * width_ - 0.5;
+  const double y = std::acos(std::clamp(d.y, -1.0, 1.0)) / pi * height_ - 0.5;
   const double left = std::floor(x), above = std::floor(y);
   const double fx = x - left, fy = y - above;
   int column = static_cast<int>(left);
@@ -137,7 +137,7 @@ dvec3 EnvironmentMap::sample(const dvec2& u) const {
   return glm::normalize(to_world_ * dvec3(p.y, y, -p.x));
 }
 
-double EnvironmentMap::density(const dvec3& direction) const {
+double EnvironmentMap::pdf(const dvec3& direction) const {
   return mean_luminance(corners(direction)) / total();
 }
 

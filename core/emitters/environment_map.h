@@ -30,7 +30,7 @@ public:
   /// A unit direction for two numbers in [0, 1).
   [[nodiscard]] dvec3 sample(const dvec2& u) const;
   /// With which `sample` chooses it, per steradian.
-  [[nodiscard]] double density(const dvec3& direction) const;
+  [[nodiscard]] double pdf(const dvec3& direction) const;
 
   /// Luminance, relative to that of Environment::light, times solid angle, over all directions.
   [[nodiscard]] double total() const { return choice_->total(); }

@@ -12,13 +12,13 @@
 namespace abbe {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // A map that stretches by less than this, relatively, is a similarity: a chain of rotations in
 // double rounds a few 2^-53. Rays to such a ball end a little before it, by far more than that.
 constexpr double kSimilar = 0x1p-48, kShortOfBall = 0x1p-40;
 
-/// Density per area to density per steradian: an area A at distance d fills A cos / d^2.
+/// Turns a pdf per area into one per steradian: an area A at distance d fills A cos / d^2.
 std::optional<SeenPoint> seen_from(const dvec3& place, const dvec3& point, const dvec3& normal,
                                    double per_area, bool both_sides) {
   const dvec3 way = point - place;
@@ -72,7 +72,7 @@ SampledSurface surface_of(const Disc&, const Transform& t, bool both_sides) {
                      x,
                      y,
                      t.normal({0.0, 0.0, 1.0}),
-                     kPi * glm::length(glm::cross(x, y)),
+                     pi * glm::length(glm::cross(x, y)),
                      true,
                      both_sides};
 }
@@ -153,7 +153,7 @@ std::optional<SeenPoint> FlatSurface::sample(const dvec3& place, const dvec2& u)
   return seen_from(place, origin + p.x * x + p.y * y, normal, 1.0 / size, both_sides);
 }
 
-double FlatSurface::density(const dvec3& place, const dvec3& point, const dvec3& n) const {
+double FlatSurface::pdf(const dvec3& place, const dvec3& point, const dvec3& n) const {
   return per_steradian(place, point, n, 1.0 / size);
 }
 
@@ -168,38 +168,35 @@ std::optional<SeenPoint> BallSurface::sample(const dvec3& place, const dvec2& u)
   const dvec3 beside = glm::cross(way, direction);
   const double half_chord2 = radius * radius - glm::dot(beside, beside);
   const double distance = along - std::sqrt(std::max(0.0, half_chord2));
-  return SeenPoint{direction, std::max(0.0, distance - kShortOfBall * d), cone.density()};
+  return SeenPoint{direction, std::max(0.0, distance - kShortOfBall * d), cone.pdf()};
 }
 
-double BallSurface::density(const dvec3& place, const dvec3&, const dvec3&) const {
+double BallSurface::pdf(const dvec3& place, const dvec3&, const dvec3&) const {
   const dvec3 way = centre - place;
   const double d = glm::length(way);
-  return d > radius ? Cone::of_sine(way / d, radius * radius / (d * d)).density() : 0.0;
+  return d > radius ? Cone::of_sine(way / d, radius * radius / (d * d)).pdf() : 0.0;
 }
 
 double BallSurface::area() const {
-  return 4.0 * kPi * radius * radius;
+  return 4.0 * pi * radius * radius;
 }
 
-/// Area on a sphere is proportional to height [Archimedes].
 std::optional<SeenPoint> EllipsoidSurface::sample(const dvec3& place, const dvec2& u) const {
-  const double z = 1.0 - 2.0 * u.x;
-  const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
-  const dvec3 local(r * circle_point(u.y), z);
+  const dvec3 local = sphere_point(u);
   const dvec3 normal = to_world.normal(local);
-  return seen_from(place, to_world.point(local), normal, area_density(normal), false);
+  return seen_from(place, to_world.point(local), normal, area_pdf(normal), false);
 }
 
-double EllipsoidSurface::density(const dvec3& place, const dvec3& point, const dvec3& n) const {
-  return per_steradian(place, point, n, area_density(n));
+double EllipsoidSurface::pdf(const dvec3& place, const dvec3& point, const dvec3& n) const {
+  return per_steradian(place, point, n, area_pdf(n));
 }
 
 /// An affine map M takes an element of area with normal m to det(M) M^-T m, whose length is the
 /// world area per local area; M^T normal is parallel to m.
-double EllipsoidSurface::area_density(const dvec3& normal) const {
+double EllipsoidSurface::area_pdf(const dvec3& normal) const {
   const auto [x, y, z] = columns(to_world);
   const dvec3 back{glm::dot(x, normal), glm::dot(y, normal), glm::dot(z, normal)};
-  return glm::length(back) / (4.0 * kPi * volume_scale);
+  return glm::length(back) / (4.0 * pi * volume_scale);
 }
 
 double EllipsoidSurface::area() const {
@@ -207,9 +204,9 @@ double EllipsoidSurface::area() const {
   double sum = 0.0;
   for (int i = 0; i < kSteps; ++i)
     for (int j = 0; j < kSteps; ++j) {
-      const double z = (2.0 * i + 1.0) / kSteps - 1.0, angle = 2.0 * kPi * (j + 0.5) / kSteps;
+      const double z = (2.0 * i + 1.0) / kSteps - 1.0, angle = 2.0 * pi * (j + 0.5) / kSteps;
       const double r = std::sqrt(1.0 - z * z);
-      sum += 1.0 / area_density(to_world.normal({r * std::cos(angle), r * std::sin(angle), z}));
+      sum += 1.0 / area_pdf(to_world.normal({r * std::cos(angle), r * std::sin(angle), z}));
     }
   return sum / (kSteps * kSteps);
 }
@@ -250,7 +247,7 @@ std::optional<SeenPoint> BoxSurface::sample(const dvec3& place, const dvec2& u) 
   return seen_from(place, point, side * normal[face], 1.0 / total, false);
 }
 
-double BoxSurface::density(const dvec3& place, const dvec3& point, const dvec3& n) const {
+double BoxSurface::pdf(const dvec3& place, const dvec3& point, const dvec3& n) const {
   const double total = seen_area(seen(place));
   return total > 0.0 ? per_steradian(place, point, n, 1.0 / total) : 0.0;
 }
@@ -274,7 +271,7 @@ std::optional<SeenPoint> PolyhedronSurface::sample(const dvec3& place, const dve
   return seen_from(place, point, chosen->normal, 1.0 / total, false);
 }
 
-double PolyhedronSurface::density(const dvec3& place, const dvec3& point, const dvec3& n) const {
+double PolyhedronSurface::pdf(const dvec3& place, const dvec3& point, const dvec3& n) const {
   const double total = seen_area(place);
   return total > 0.0 ? per_steradian(place, point, n, 1.0 / total) : 0.0;
 }
@@ -292,7 +289,7 @@ std::optional<SeenPoint> MeshSurface::sample(const dvec3& place, const dvec2& u)
   return seen_from(place, triangle_point(chosen, x, u.y), normal(chosen), 1.0 / area(), both_sides);
 }
 
-double MeshSurface::density(const dvec3& place, const dvec3& point, const dvec3& n) const {
+double MeshSurface::pdf(const dvec3& place, const dvec3& point, const dvec3& n) const {
   return per_steradian(place, point, n, 1.0 / area());
 }
 

@@ -17,7 +17,7 @@ using glm::dvec2;
 struct SeenPoint {
   dvec3 direction{0.0};  ///< unit, from the place
   double distance = 0.0; ///< not beyond the surface
-  double density = 0.0;  ///< of the choice, per steradian about the place
+  double pdf = 0.0;      ///< of the choice, per steradian about the place
 };
 
 /// A point of a surface, chosen regardless of who sees it.
@@ -25,7 +25,7 @@ struct SurfacePoint {
   dvec3 point{0.0};
   dvec3 normal{0.0}; ///< unit, outwards
   FaceId face;
-  double density = 0.0; ///< of the choice, per unit of world area
+  double pdf = 0.0; ///< of the choice, per unit of world area
 };
 
 /// A triangle by a corner and the edges that leave it.
@@ -36,7 +36,7 @@ struct TriangleEdges {
 // Surfaces in the world, with what does not depend on the place that looks at them computed once.
 // Each has the same four functions:
 //   sample   a point for two numbers in [0, 1); nothing where the one chosen shows its dark side
-//   density  per steradian, with which `sample` would have chosen a point that a ray from `place`
+//   pdf      per steradian, with which `sample` would have chosen a point that a ray from `place`
 //            meets on a side that counts, where the outward unit normal is `normal`
 //   area     of the surface
 //   at       a point of the whole surface for two numbers in [0, 1), wherever it is seen from
@@ -49,7 +49,7 @@ struct FlatSurface {
   bool disc, both_sides;
 
   [[nodiscard]] std::optional<SeenPoint> sample(const dvec3& place, const dvec2& u) const;
-  [[nodiscard]] double density(const dvec3& place, const dvec3& point, const dvec3& normal) const;
+  [[nodiscard]] double pdf(const dvec3& place, const dvec3& point, const dvec3& normal) const;
   [[nodiscard]] double area() const { return size; }
   [[nodiscard]] SurfacePoint at(const dvec2& u) const;
 };
@@ -60,7 +60,7 @@ struct BallSurface {
   double radius;
 
   [[nodiscard]] std::optional<SeenPoint> sample(const dvec3& place, const dvec2& u) const;
-  [[nodiscard]] double density(const dvec3& place, const dvec3& point, const dvec3& normal) const;
+  [[nodiscard]] double pdf(const dvec3& place, const dvec3& point, const dvec3& normal) const;
   [[nodiscard]] double area() const;
   [[nodiscard]] SurfacePoint at(const dvec2& u) const;
 };
@@ -71,11 +71,11 @@ struct EllipsoidSurface {
   double volume_scale; ///< of the map
 
   [[nodiscard]] std::optional<SeenPoint> sample(const dvec3& place, const dvec2& u) const;
-  [[nodiscard]] double density(const dvec3& place, const dvec3& point, const dvec3& normal) const;
+  [[nodiscard]] double pdf(const dvec3& place, const dvec3& point, const dvec3& normal) const;
   /// By a rule of 48 x 48 points.
   [[nodiscard]] double area() const;
   [[nodiscard]] SurfacePoint at(const dvec2& u) const;
-  [[nodiscard]] double area_density(const dvec3& normal) const;
+  [[nodiscard]] double area_pdf(const dvec3& normal) const;
 };
 
 /// A box: uniform in area on those of its faces, three at most, that turn to the place.
@@ -86,7 +86,7 @@ struct BoxSurface {
   std::array<double, 3> face_area;
 
   [[nodiscard]] std::optional<SeenPoint> sample(const dvec3& place, const dvec2& u) const;
-  [[nodiscard]] double density(const dvec3& place, const dvec3& point, const dvec3& normal) const;
+  [[nodiscard]] double pdf(const dvec3& place, const dvec3& point, const dvec3& normal) const;
   [[nodiscard]] double area() const;
   [[nodiscard]] SurfacePoint at(const dvec2& u) const;
   /// Of each pair of faces 1 or -1 for the one that turns to the place, 0 for none.
@@ -106,7 +106,7 @@ struct PolyhedronSurface {
   double whole_area;
 
   [[nodiscard]] std::optional<SeenPoint> sample(const dvec3& place, const dvec2& u) const;
-  [[nodiscard]] double density(const dvec3& place, const dvec3& point, const dvec3& normal) const;
+  [[nodiscard]] double pdf(const dvec3& place, const dvec3& point, const dvec3& normal) const;
   [[nodiscard]] double area() const { return whole_area; }
   [[nodiscard]] SurfacePoint at(const dvec2& u) const;
   [[nodiscard]] double seen_area(const dvec3& place) const;
@@ -120,7 +120,7 @@ struct MeshSurface {
   bool mirrored, both_sides;
 
   [[nodiscard]] std::optional<SeenPoint> sample(const dvec3& place, const dvec2& u) const;
-  [[nodiscard]] double density(const dvec3& place, const dvec3& point, const dvec3& normal) const;
+  [[nodiscard]] double pdf(const dvec3& place, const dvec3& point, const dvec3& normal) const;
   [[nodiscard]] double area() const { return cumulative.back(); }
   [[nodiscard]] SurfacePoint at(const dvec2& u) const;
   [[nodiscard]] TriangleEdges triangle(int i) const;
@@ -143,7 +143,11 @@ using SampledSurface = std::variant<FlatSurface, BallSurface, EllipsoidSurface, 
 /// unit square into a triangle [Turk90].
 [[nodiscard]] dvec3 triangle_point(const TriangleEdges& triangle, double u, double v);
 
-/// True when there is one.
+/// The point of the unit sphere for two numbers in [0, 1), uniform in area, which is proportional
+/// to height [Archimedes].
+[[nodiscard]] dvec3 sphere_point(const dvec2& u);
+
+/// True when a shape has a surface that can be sampled.
 [[nodiscard]] bool can_sample_surface(const Shape& shape);
 
 } // namespace abbe

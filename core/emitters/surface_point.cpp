@@ -10,16 +10,12 @@
 #include <cmath>
 
 namespace abbe {
-namespace {
 
-/// Area on a sphere is proportional to height [Archimedes].
 dvec3 sphere_point(const dvec2& u) {
   const double z = 1.0 - 2.0 * u.x;
   const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
   return {r * circle_point(u.y), z};
 }
-
-} // namespace
 
 SurfacePoint FlatSurface::at(const dvec2& u) const {
   const dvec2 p = disc ? disc_point(u) : u;
@@ -34,7 +30,7 @@ SurfacePoint BallSurface::at(const dvec2& u) const {
 SurfacePoint EllipsoidSurface::at(const dvec2& u) const {
   const dvec3 local = sphere_point(u);
   const dvec3 normal = to_world.normal(local);
-  return {to_world.point(local), normal, {}, area_density(normal)};
+  return {to_world.point(local), normal, {}, area_pdf(normal)};
 }
 
 SurfacePoint BoxSurface::at(const dvec2& u) const {

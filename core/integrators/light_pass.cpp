@@ -3,8 +3,8 @@
 #include "core/bundles/denormals.h"
 #include "core/integrators/light_paths.h"
 #include "core/integrators/photon_radius.h"
+#include "core/lights/scene_extent.h"
 #include "core/sampling/sampler.h"
-#include "core/scene/scene_extent.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -34,11 +34,11 @@ constexpr double kLargestPart = 1.0 / 64.0;
 } // namespace
 
 LightPasses::LightPasses(const Scene& scene, const Plan& plan, const World& world,
-                         const CameraRays* camera, Film& film)
+                         const PlacedCamera* camera, Film& film)
     : plan_(plan), world_(world), camera_(camera), film_(film),
       emission_(plan.caustics ? Emission(scene, plan) : Emission()), map_(camera != nullptr),
       largest_radius_(kLargestPart * scene_size(scene)), first_radius_(plan.settings.photon_radius),
-      begun_(emission_.emitters().size(), 0) {
+      begun_(emission_.lights().size(), 0) {
   if (!needed()) return;
   emission_.place(world);
   if (camera_) film.enable_splats();
@@ -69,7 +69,7 @@ RayCounts LightPasses::run(int pass, int samples, const std::atomic<bool>& stop,
       counts[c].record = record;
       for (std::uint32_t i = chunk.first; i < chunk.last; ++i) {
         const Sampler sampler(~static_cast<int>(e), 0, begun_[e] + i, plan_.settings.seed);
-        const auto ray = emission_.emitters()[e].sample(sampler);
+        const auto ray = emission_.lights()[e].sample(sampler);
         if (!ray) continue;
         const bool keeps = i < mapped[e];
         walker.trace(*ray, sampler, 1.0 / shares[e], keeps ? &batches[c] : nullptr,

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/bundles/statistics.h"
-#include "core/cameras/camera.h"
+#include "core/cameras/placed_camera.h"
 #include "core/film/film.h"
 #include "core/integrators/photon_map.h"
-#include "core/lamps/emission.h"
+#include "core/lights/emission.h"
 
 #include <atomic>
 
@@ -14,13 +14,13 @@ namespace abbe {
 /// followed as the plan says; they add splats to the film and fill the photon map anew.
 class LightPasses {
 public:
-  /// Keeps references. Splats need a pinhole; `camera` is null for others, whose paths then look
-  /// up photons where they would have been splatted.
-  LightPasses(const Scene& scene, const Plan& plan, const World& world, const CameraRays* camera,
+  /// Keeps references. `camera` is null where it cannot be connected with; camera paths then look
+  /// up photons where light paths would have been splatted.
+  LightPasses(const Scene& scene, const Plan& plan, const World& world, const PlacedCamera* camera,
               Film& film);
 
   /// True when there is something to do; then `map` and `emission` are what camera paths need.
-  [[nodiscard]] bool needed() const { return !emission_.emitters().empty(); }
+  [[nodiscard]] bool needed() const { return !emission_.lights().empty(); }
   [[nodiscard]] const PhotonMap& map() const { return map_; }
   [[nodiscard]] const Emission& emission() const { return emission_; }
   /// How long the passes have taken.
@@ -33,7 +33,7 @@ public:
 private:
   const Plan& plan_;
   const World& world_;
-  const CameraRays* camera_;
+  const PlacedCamera* camera_;
   Film& film_;
   Emission emission_;
   PhotonMap map_;

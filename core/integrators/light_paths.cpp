@@ -35,7 +35,7 @@ FilteredPixel filtered_pixel(PixelFilter filter, double place, double u) {
 } // namespace
 
 LightPaths::LightPaths(const Plan& plan, const World& world, const Emission& emission,
-                       const CameraRays* camera, Film& film)
+                       const PlacedCamera* camera, Film& film)
     : RandomWalk(plan, world, camera ? camera->pixel_angle() : 0.0, Transport::flux),
       emission_(emission), camera_(camera), film_(film), to_camera_(plan, world), sums_(plan),
       light_(plan.stride) {}
@@ -120,29 +120,25 @@ void LightPaths::branch_off_to_specular(const Hit& hit) {
   const DirectionSample way = towards(emission_.targets(), hit.point, numbers(kDirection));
   if (!(scattering_.evaluate(way.direction, light_.data()) > 0.0)) return;
   const bool through = (glm::dot(way.direction, hit.normal) > 0.0) != hit.entering;
-  Bundle& next = branch_off(bundle().bands, light_.data(), 1.0 / way.density);
+  Bundle& next = branch_off(bundle().bands, light_.data(), 1.0 / way.pdf);
   set_off(bundle(), way.direction, through, RayKind::scattered, next);
-  next.pdf = way.density;
+  next.pdf = way.pdf;
   next.nonspecular_bounces = 1;
 }
 
-/// Connects the surface with the eye. With the pixels' area A at unit distance along the axis, a
-/// place seen at the angle c from the axis and at the distance d adds to the mean radiance of its
-/// pixel flux * f * cos / (d^2 cos^3(c) A).
+/// Connects the surface with the camera.
 void LightPaths::splat(const Hit& hit) {
-  const auto seen = camera_->project(hit.point);
+  const auto seen = camera_->connect(hit.point);
   if (!seen) return;
   const dvec2 u = numbers(kSplat);
-  const FilteredPixel column = filtered_pixel(plan_.settings.filter, seen->x, u.x);
-  const FilteredPixel row = filtered_pixel(plan_.settings.filter, seen->y, u.y);
+  const FilteredPixel column = filtered_pixel(plan_.settings.filter, seen->film.x, u.x);
+  const FilteredPixel row = filtered_pixel(plan_.settings.filter, seen->film.y, u.y);
   const PixelWindow& window = film_.window();
   if (column.pixel < window.x0 || column.pixel >= window.x1 || row.pixel < window.y0 ||
       row.pixel >= window.y1)
     return;
-  const dvec3 way = camera_->eye() - hit.point;
-  const double distance2 = glm::dot(way, way);
-  const double distance = std::sqrt(distance2);
-  const dvec3 direction = way / distance;
+  const dvec3& direction = seen->direction;
+  const double distance = seen->distance;
   if (!(scattering_.evaluate(direction, light_.data()) > 0.0)) return;
   const bool through = (glm::dot(direction, hit.normal) > 0.0) != hit.entering;
   const RayState to_eye{{hit.point, direction},
@@ -163,10 +159,7 @@ void LightPaths::splat(const Hit& hit) {
   if (!arriving)
     absorb(plan_.medium(through ? hit.medium_after : hit.medium_before), distance,
            {light_.data(), bundle().bands});
-  const double cos_c = -glm::dot(direction, camera_->forward());
-  const double area = camera_->pixel_angle() * camera_->pixel_angle();
-  const double weight =
-      flux_ * share_ * column.weight * row.weight / (distance2 * cos_c * cos_c * cos_c * area);
+  const double weight = flux_ * share_ * column.weight * row.weight / seen->inverse_importance;
   sums_.clear();
   sums_.add(source_, light_.data(), ones_, static_cast<float>(weight), first, last);
   ++counts_->splats;

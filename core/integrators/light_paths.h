@@ -1,12 +1,12 @@
 #pragma once
 
-#include "core/cameras/camera.h"
+#include "core/cameras/placed_camera.h"
 #include "core/film/film.h"
 #include "core/film/radiance_sums.h"
 #include "core/integrators/photon_map.h"
 #include "core/integrators/random_walk.h"
 #include "core/integrators/shadow.h"
-#include "core/lamps/emission.h"
+#include "core/lights/emission.h"
 
 namespace abbe {
 
@@ -18,7 +18,7 @@ class LightPaths : private RandomWalk {
 public:
   /// Keeps references. `camera` is null where what the camera sees cannot be connected to.
   LightPaths(const Plan& plan, const World& world, const Emission& emission,
-             const CameraRays* camera, Film& film);
+             const PlacedCamera* camera, Film& film);
 
   /// Follows one path. `share` is what one path stands for: 1 over their number. Photons are added
   /// to `photons` unless it is null; `photon_share` is the same for those.
@@ -38,7 +38,7 @@ private:
   void branch_off_to_specular(const Hit& hit);
 
   const Emission& emission_;
-  const CameraRays* camera_;
+  const PlacedCamera* camera_;
   Film& film_;
   ShadowRays to_camera_;
   RadianceSums sums_;

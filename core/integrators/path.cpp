@@ -10,7 +10,7 @@ constexpr double kBranchShare = 1.0 / 32.0;
 
 } // namespace
 
-Path::Path(const Plan& plan, const World& world, const Lamps& lamps,
+Path::Path(const Plan& plan, const World& world, const Lights& lamps,
            const LightPasses* light_passes, double pixel_angle)
     : RandomWalk(plan, world, pixel_angle, Transport::radiance), lamps_(lamps),
       photons_(light_passes ? &light_passes->map() : nullptr),
@@ -56,7 +56,7 @@ void Path::gather() {
   double weight = 1.0;
   if (bundle().pdf > 0.0) {
     const dvec3 scattered_at = bundle().state.ray.at(-bundle().unseen_length);
-    weight = bundle().pdf / (bundle().pdf + lamps_.density(scattered_at, hit));
+    weight = bundle().pdf / (bundle().pdf + lamps_.pdf(scattered_at, hit));
   }
   sums_->add(material.emission_source, throughput().data, ones_, static_cast<float>(weight), first,
              last);
@@ -142,8 +142,8 @@ void Path::aim_at_a_lamp(const Hit& hit) {
   if (shadow_rays_.through_glass()) {
     // Paths that meet the lamp behind glass leave it to this ray, but not the environment.
     if (lamp->environment) return;
-  } else if (lamp->density > 0.0) {
-    weight *= lamp->density / (lamp->density + pdf);
+  } else if (lamp->pdf > 0.0) {
+    weight *= lamp->pdf / (lamp->pdf + pdf);
   }
   const float* carried = throughput().data;
   for (int b = first; b < last; ++b)

@@ -5,7 +5,7 @@
 #include "core/integrators/random_walk.h"
 #include "core/integrators/shadow.h"
 #include "core/integrators/single_scatter.h"
-#include "core/lamps/lamps.h"
+#include "core/lights/lights.h"
 
 #include <vector>
 
@@ -22,7 +22,7 @@ namespace abbe {
 class Path final : public CameraIntegrator, private RandomWalk {
 public:
   /// Keeps references to all. `light_passes` is null where there are none.
-  Path(const Plan& plan, const World& world, const Lamps& lamps, const LightPasses* light_passes,
+  Path(const Plan& plan, const World& world, const Lights& lamps, const LightPasses* light_passes,
        double pixel_angle);
 
   void trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
@@ -44,7 +44,7 @@ private:
   /// refracts.
   [[nodiscard]] bool comes_by_mirrors_and_glass() const;
 
-  const Lamps& lamps_;
+  const Lights& lamps_;
   const PhotonMap* photons_;
   const Emission* emission_;
   bool found_otherwise_; ///< whether light that comes from lamps by mirrors and glass is

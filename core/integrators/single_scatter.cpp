@@ -1,8 +1,8 @@
 #include "core/integrators/single_scatter.h"
 
-#include "core/emitters/illumination.h"
 #include "core/integrators/absorption.h"
 #include "core/integrators/unseen_boundary.h"
+#include "core/lights/light_kinds.h"
 
 #include <glm/geometric.hpp>
 
@@ -16,7 +16,7 @@ SingleScatter::SingleScatter(const Scene& scene, const Plan& plan, const World& 
     : scene_(&scene), plan_(plan), world_(world), shadow_rays_(plan, world),
       ones_(1.0f, plan.grid.count()), seen_(plan.stride), lit_(plan.stride) {}
 
-SingleScatter::SingleScatter(const Lamps& lamps, const Plan& plan, const World& world)
+SingleScatter::SingleScatter(const Lights& lamps, const Plan& plan, const World& world)
     : lamps_(&lamps), plan_(plan), world_(world), shadow_rays_(plan, world),
       ones_(1.0f, plan.grid.count()), seen_(plan.stride), lit_(plan.stride) {}
 
@@ -47,7 +47,7 @@ void SingleScatter::find_lights(const dvec3& place) {
   if (lamps_) {
     if (const auto lamp = lamps_->sample(place, place_.y, lamp_point_))
       lights_.push_back({lamp->direction, lamp->distance, lamp->weight, lamp->source,
-                         std::isinf(lamp->distance) && lamp->density == 0.0, lamp});
+                         std::isinf(lamp->distance) && lamp->pdf == 0.0, lamp});
     return;
   }
   for (std::size_t i = 0; i < scene_->lights.size(); ++i) {

@@ -4,7 +4,7 @@
 #include "core/bundles/bundle.h"
 #include "core/film/radiance_sums.h"
 #include "core/integrators/shadow.h"
-#include "core/lamps/lamps.h"
+#include "core/lights/lights.h"
 #include "core/sampling/sampler.h"
 
 #include <vector>
@@ -24,7 +24,7 @@ public:
   /// Each place gets the light of all the scene's lights. Keeps references to all.
   SingleScatter(const Scene& scene, const Plan& plan, const World& world);
   /// Each place gets the light of one lamp, drawn. Keeps references to all.
-  SingleScatter(const Lamps& lamps, const Plan& plan, const World& world);
+  SingleScatter(const Lights& lamps, const Plan& plan, const World& world);
 
   /// Starts a path, whose drops send their light to `sums`. Keeps references to all but the
   /// sampler.
@@ -44,14 +44,14 @@ private:
     double distance, weight;
     int source;
     bool disc; ///< parallel light whose disc has not been sampled
-    std::optional<LampSample> sample;
+    std::optional<LightSample> sample;
   };
   void add(const Bundle& bundle, double length, const MediumPlan& medium,
            BandSpan<const float> throughput);
   void find_lights(const dvec3& place);
 
   const Scene* scene_ = nullptr;
-  const Lamps* lamps_ = nullptr;
+  const Lights* lamps_ = nullptr;
   const Plan& plan_;
   const World& world_;
   ShadowRays shadow_rays_;

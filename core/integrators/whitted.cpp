@@ -2,7 +2,7 @@
 
 #include "core/bands/band_math.h"
 #include "core/bands/passing_runs.h"
-#include "core/emitters/illumination.h"
+#include "core/lights/light_kinds.h"
 #include "core/optics/coated_diffuse.h"
 #include "core/scattering/conductor.h"
 #include "core/scattering/material_optics.h"
@@ -22,7 +22,7 @@ constexpr double kSurePart = 1.0 / 16.0;
 
 } // namespace
 
-Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
+Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, const Lights& lamps,
                  double pixel_angle)
     : BundleWalk(plan, world, pixel_angle, Transport::radiance), scene_(scene), lamps_(lamps),
       shadow_rays_(plan, world), single_scatter_(scene, plan, world),

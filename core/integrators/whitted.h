@@ -4,7 +4,7 @@
 #include "core/integrators/integrator.h"
 #include "core/integrators/shadow.h"
 #include "core/integrators/single_scatter.h"
-#include "core/lamps/lamps.h"
+#include "core/lights/lights.h"
 #include "core/sampling/sampler.h"
 #include "core/scattering/dielectric.h"
 
@@ -18,7 +18,7 @@ namespace abbe {
 class Whitted final : public CameraIntegrator, private BundleWalk {
 public:
   /// Keeps references to all.
-  Whitted(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
+  Whitted(const Scene& scene, const Plan& plan, const World& world, const Lights& lamps,
           double pixel_angle);
 
   void trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
@@ -42,7 +42,7 @@ private:
   [[nodiscard]] double chance(double importance) const;
 
   const Scene& scene_;
-  const Lamps& lamps_; ///< of which only the sky is seen
+  const Lights& lamps_; ///< of which only the sky is seen
   ShadowRays shadow_rays_;
   SingleScatter single_scatter_;
   DielectricScatter scatter_;

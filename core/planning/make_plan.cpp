@@ -1,6 +1,8 @@
 #include "core/planning/make_plan.h"
 
-#include "core/lamps/emission.h"
+#include "core/lights/emission.h"
+#include "core/lights/light_kinds.h"
+#include "core/lights/specular_targets.h"
 #include "core/planning/plan_bands.h"
 #include "core/planning/plan_extent.h"
 #include "core/planning/plan_lines.h"
@@ -39,15 +41,15 @@ void plan_caustics(const Scene& scene, Plan& plan) {
                                      "flux: no caustics of it",
                                      light.name.empty() ? "of a colour" : light.name));
   }
-  const std::size_t emitters = Emission(scene, plan).emitters().size();
-  plan.caustics = emitters > 0;
+  const std::size_t emitting = Emission(scene, plan).lights().size();
+  plan.caustics = emitting > 0;
   // Light that comes through glass is counted where it is bent to.
   if (plan.caustics && plan.settings.shadows == ShadowRule::attenuated)
     plan.settings.shadows = ShadowRule::opaque;
-  plan.notes.push_back(emitters > 0
+  plan.notes.push_back(emitting > 0
                            ? fmt::format("light-side passes: {} of the lamps shine on things that "
                                          "mirror or refract",
-                                         emitters)
+                                         emitting)
                            : "no lamp shines on anything that mirrors or refracts: no light-side "
                              "passes");
 }

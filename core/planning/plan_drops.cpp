@@ -1,6 +1,7 @@
 #include "core/planning/plan_drops.h"
 
 #include "core/drops/drop_optics.h"
+#include "core/lights/light_kinds.h"
 #include "spectral/fraunhofer.h"
 
 #include <fmt/format.h>
@@ -36,12 +37,8 @@ DropsPlan plan_drops(const Scene& scene, const Plan& plan, const Drops& drops) {
   std::vector<std::vector<double>> nm;
   for (int b = 0; b < plan.grid.count(); ++b)
     nm.push_back(wavelengths_of(plan, drops.index, b));
-  const auto parallel = [](const Light& light) {
-    return std::holds_alternative<DirectionalLight>(light.emitter);
-  };
-  const auto distant = [&](const Light& light) {
-    return parallel(light) || std::holds_alternative<SunLight>(light.emitter);
-  };
+  const auto distant = [](const Light& light) { return !position(light); };
+  const auto parallel = [&](const Light& light) { return distant(light) && !disc(light); };
   // A sun counts as parallel light with `whitted`; `path` samples its disc.
   if (std::any_of(scene.lights.begin(), scene.lights.end(), distant))
     result.under_sun.emplace(drops.index, nm, drops.sun_radius);

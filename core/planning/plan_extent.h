@@ -6,11 +6,11 @@
 namespace abbe {
 
 /// The quantum of the film's sums: a power of two that is small against anything the scene can
-/// show: 2^-36 of its brightest source. Lamps whose light falls off count at a sixteenth of the
+/// show: 2^-36 of its brightest source. Lights that fall off count at a sixteenth of the
 /// scene's size. Sums then hold 2^27 times the brightest source.
 [[nodiscard]] double film_quantum(const Scene& scene, const BandGrid& grid, Observer observer);
 
-/// The largest magnitude of a coordinate at which the scene has a shape, a lamp or its camera.
+/// The largest magnitude of a coordinate at which the scene has a shape, a light or its camera.
 [[nodiscard]] double farthest_coordinate(const Scene& scene);
 
 } // namespace abbe

@@ -1,6 +1,6 @@
 #include "core/planning/plan_tiles.h"
 
-#include "core/cameras/camera.h"
+#include "core/cameras/placed_camera.h"
 #include "core/sampling/sampler.h"
 
 #include <algorithm>
@@ -13,13 +13,13 @@ constexpr int kTileSize = 16;
 
 /// The part of the image that a shape's bounding box covers; everything when the box reaches
 /// behind the camera.
-PixelWindow screen_window(const CameraRays& camera, const Bounds& box, double margin) {
+PixelWindow screen_window(const Projection& project, const Bounds& box, double margin) {
   constexpr double kEverywhere = 1e9;
   dvec2 lower(kEverywhere), upper(-kEverywhere);
   for (int corner = 0; corner < 8; ++corner) {
     const dvec3 p{corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
                   corner & 4 ? box.upper.z : box.lower.z};
-    const auto seen = camera.project(p);
+    const auto seen = project(p);
     if (!seen) return {-1000000000, -1000000000, 1000000000, 1000000000};
     lower = {std::min(lower.x, seen->x), std::min(lower.y, seen->y)};
     upper = {std::max(upper.x, seen->x), std::max(upper.y, seen->y)};
@@ -40,14 +40,14 @@ bool overlap(const PixelWindow& a, const PixelWindow& b) {
 std::vector<Tile> make_tiles(const Scene& scene, const PixelWindow& window,
                              const RenderSettings& settings) {
   // Where a shape shows through a lens, which blurs and distorts it, is not asked.
-  const bool skip = settings.skip.empty_tiles && scene.camera.aperture == 0.0 && !scene.camera.lens;
+  const Projection project = projection(scene, settings.width, settings.height);
+  const bool skip = settings.skip.empty_tiles && project;
   std::vector<PixelWindow> shown;
   if (skip) {
-    const CameraRays camera(scene.camera, settings.width, settings.height);
     // A sample lies within the filter's reach of its pixel's centre; a pixel more for rounding.
     const double margin = filter_radius(settings.filter) + 1.0;
     for (const PlacedShape& shape : scene.shapes)
-      shown.push_back(screen_window(camera, bounds(shape), margin));
+      shown.push_back(screen_window(project, bounds(shape), margin));
   }
   std::vector<Tile> tiles;
   for (int y = window.y0; y < window.y1; y += kTileSize)

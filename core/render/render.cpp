@@ -5,7 +5,7 @@
 #include "core/adaptive/sample_schedule.h"
 #include "core/bundles/denormals.h"
 #include "core/integrators/light_pass.h"
-#include "core/lamps/lamps.h"
+#include "core/lights/lights.h"
 #include "core/render/progress_meter.h"
 #include "core/render/tile_renderer.h"
 
@@ -57,9 +57,8 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, const
   Rendering result{Film(plan.window, plan.quantum, bands.keep ? plan.grid.count() : 0,
                         settings.needs_errors(), bands.place)};
   const PlacedCamera camera(scene, settings, world);
-  const Lamps lamps(scene, plan);
-  LightPasses light_passes(scene, plan, world, camera.pinhole() ? &camera.rays : nullptr,
-                           result.film);
+  const Lights lights(scene, plan);
+  LightPasses light_passes(scene, plan, world, camera.connects() ? &camera : nullptr, result.film);
   ProgressMeter meter(progress, static_cast<double>(plan.window.pixel_count()) * most,
                       settings.seconds);
   assert(!record || settings.threads == 1);
@@ -117,7 +116,7 @@ Rendering render(const Scene& scene, const Plan& plan, const World& world, const
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, open.size(), 1),
                         [&](const tbb::blocked_range<std::size_t>& range) {
                           const DenormalsOff denormals_off;
-                          TileRenderer renderer(scene, plan, world, lamps,
+                          TileRenderer renderer(scene, plan, world, lights,
                                                 light_passes.needed() ? &light_passes : nullptr,
                                                 camera, result.film, pixel_rays);
                           for (std::size_t i = range.begin(); i < range.end() && !ends(done); ++i) {

@@ -10,12 +10,12 @@ namespace abbe {
 namespace {
 
 std::unique_ptr<CameraIntegrator> make_integrator(const Scene& scene, const Plan& plan,
-                                                  const World& world, const Lamps& lamps,
+                                                  const World& world, const Lights& lights,
                                                   const LightPasses* light_passes,
                                                   double pixel_angle) {
   if (plan.settings.integrator == Integrator::path)
-    return std::make_unique<Path>(plan, world, lamps, light_passes, pixel_angle);
-  return std::make_unique<Whitted>(scene, plan, world, lamps, pixel_angle);
+    return std::make_unique<Path>(plan, world, lights, light_passes, pixel_angle);
+  return std::make_unique<Whitted>(scene, plan, world, lights, pixel_angle);
 }
 
 /// Row by row.
@@ -27,14 +27,12 @@ std::size_t pixel_index(const PixelWindow& window, int x, int y) {
 } // namespace
 
 TileRenderer::TileRenderer(const Scene& scene, const Plan& plan, const World& world,
-                           const Lamps& lamps, const LightPasses* light_passes,
+                           const Lights& lights, const LightPasses* light_passes,
                            const PlacedCamera& camera, Film& film,
                            std::span<std::uint32_t> pixel_rays)
-    : plan_(plan), world_(world), camera_(camera), film_(film), pixel_rays_(pixel_rays),
-      integrator_(make_integrator(scene, plan, world, lamps, light_passes, camera.pixel_angle())),
-      sums_(plan), undivided_{.bands = {plan.first_band, plan.last_band}} {
-  if (camera.lens) lens_fan_.emplace(plan, *camera.lens);
-}
+    : plan_(plan), world_(world), film_(film), pixel_rays_(pixel_rays),
+      integrator_(make_integrator(scene, plan, world, lights, light_passes, camera.pixel_angle())),
+      sums_(plan), start_(plan, camera) {}
 
 SampleRange PassSamples::of(const Film& film, int x, int y) const {
   if (allocation_.empty()) return all_;
@@ -66,39 +64,12 @@ dvec2 TileRenderer::film_position(const CameraSample& sample) const {
          filter_offset(plan_.settings.filter, sample.sampler.pair(kPixelPosition));
 }
 
-void TileRenderer::start_undivided() {
-  states_.resize(batch_.size());
-  for (std::size_t i = 0; i < batch_.size(); ++i) {
-    const CameraSample& sample = batch_[i];
-    const dvec2 position = film_position(sample);
-    states_[i].ray = camera_.rays.has_aperture()
-                         ? camera_.rays.ray(position, sample.sampler.pair(kLens))
-                         : camera_.rays.ray(position);
-    states_[i].nesting = camera_.nesting;
-  }
-}
-
-void TileRenderer::start_through_lens() {
-  bundles_.clear();
-  states_.clear();
-  for (std::size_t i = 0; i < batch_.size(); ++i) {
-    const Sampler& sampler = batch_[i].sampler;
-    const dvec2 u = sampler.pair(kWavelength);
-    lens_fan_->sample(film_position(batch_[i]), sampler.pair(kLens),
-                      {plan_.settings.jitter ? u.x : 0.5, u.y}, bundles_, states_);
-    ends_[i] = bundles_.size();
-  }
-  for (RayState& state : states_)
-    state.nesting = camera_.nesting;
-}
-
 void TileRenderer::finish_batch(bool empty, RayCounts& counts) {
-  if (lens_fan_)
-    start_through_lens();
-  else
-    start_undivided();
-  if (hits_.size() < states_.size()) hits_.resize(states_.size());
-  const std::span<const RayState> states(states_);
+  start_.clear();
+  for (const CameraSample& sample : batch_)
+    start_.add(film_position(sample), sample.sampler);
+  const std::span<const RayState> states = start_.states();
+  if (hits_.size() < states.size()) hits_.resize(states.size());
   const std::span<Hit> hits(hits_.data(), states.size());
   if (empty) {
     for (Hit& hit : hits)
@@ -107,14 +78,8 @@ void TileRenderer::finish_batch(bool empty, RayCounts& counts) {
     world_.find_closest(states, hits, plan_.settings.tracing);
     counts.add(RayKind::camera, states);
   }
-  std::size_t first = 0;
-  for (std::size_t i = 0; i < batch_.size(); ++i) {
-    const std::size_t own = lens_fan_ ? ends_[i] - first : 1;
-    trace_sample(batch_[i],
-                 {lens_fan_ ? &bundles_[first] : &undivided_, &states[first], &hits[first], own},
-                 counts);
-    first += own;
-  }
+  for (std::size_t i = 0; i < batch_.size(); ++i)
+    trace_sample(batch_[i], start_.paths(i, hits.data()), counts);
   batch_.clear();
 }
 

@@ -1,21 +1,18 @@
 #pragma once
 
-#include "core/bundles/lens_fan.h"
 #include "core/bundles/statistics.h"
-#include "core/cameras/placed_camera.h"
 #include "core/film/film.h"
 #include "core/film/radiance_sums.h"
 #include "core/integrators/integrator.h"
 #include "core/integrators/light_pass.h"
-#include "core/lamps/lamps.h"
+#include "core/lights/lights.h"
 #include "core/plan/plan.h"
+#include "core/render/camera_start.h"
 #include "core/sampling/sampler.h"
 #include "geometry/world.h"
 
-#include <array>
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,7 +46,7 @@ class TileRenderer {
 public:
   /// Keeps references to all; `light_passes` is null where there are none. `pixel_rays`, unless it
   /// is empty, counts the rays of each pixel of the film, row by row.
-  TileRenderer(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
+  TileRenderer(const Scene& scene, const Plan& plan, const World& world, const Lights& lights,
                const LightPasses* light_passes, const PlacedCamera& camera, Film& film,
                std::span<std::uint32_t> pixel_rays);
 
@@ -66,27 +63,18 @@ private:
   };
 
   [[nodiscard]] dvec2 film_position(const CameraSample& sample) const;
-  /// One ray for all bands of each sample.
-  void start_undivided();
-  /// As many rays for each sample as the lens parts its bands into, or none.
-  void start_through_lens();
   void finish_batch(bool empty, RayCounts& counts);
   void trace_sample(const CameraSample& sample, const CameraPaths& start, RayCounts& counts);
 
   const Plan& plan_;
   const World& world_;
-  const PlacedCamera& camera_;
   Film& film_;
   std::span<std::uint32_t> pixel_rays_;
   std::unique_ptr<CameraIntegrator> integrator_;
   RadianceSums sums_;
   std::vector<CameraSample> batch_;
-  std::optional<LensFan> lens_fan_;
-  std::array<std::size_t, kPacketWidth> ends_{}; ///< of each sample's bundles in the lists below
-  const CameraBundle undivided_; ///< what a sample starts with where no lens parts its bands
-  std::vector<CameraBundle> bundles_;
-  std::vector<RayState> states_;
-  std::vector<Hit> hits_;
+  CameraStart start_;
+  std::vector<Hit> hits_; ///< of the batch's rays
 };
 
 } // namespace abbe

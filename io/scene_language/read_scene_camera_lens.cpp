@@ -9,7 +9,7 @@
 //   filmHeight 24
 //   fNumber 4
 
-#include "core/cameras/camera.h"
+#include "core/cameras/focus_distance.h"
 #include "core/cameras/focused_lens.h"
 #include "io/libraries/read_lens_prescription.h"
 #include "io/scene_language/read_scene_state.h"
@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void read_aperture(SceneState& state, Arguments& arguments) {
-  state.scene.camera.aperture = arguments.number({"the diameter of the entrance pupil"});
+  state.camera_lens.aperture = arguments.number({"the diameter of the entrance pupil"});
   state.camera_lens.f_number.reset();
 }
 
@@ -47,27 +47,27 @@ void read_focus_distance(SceneState& state, Arguments& arguments) {
   state.camera_lens.focus_at = arguments.keyword().where;
   if (is_word(arguments.reader().peek(), "inf")) {
     arguments.reader().next();
-    state.scene.camera.focus_distance = std::numeric_limits<double>::infinity();
+    state.camera_lens.focus_distance = std::numeric_limits<double>::infinity();
     return;
   }
-  state.scene.camera.focus_distance =
+  state.camera_lens.focus_distance =
       arguments.number({.meaning = "how far away is sharp", .open = true});
 }
 
 void read_film_height(SceneState& state, Arguments& arguments) {
-  state.scene.camera.film_height_mm =
+  state.camera_lens.film_height_mm =
       arguments.number({.meaning = "the picture's height on the film, in mm", .open = true});
   state.camera_lens.film_height_at = arguments.keyword().where;
 }
 
 void read_film_distance(SceneState& state, Arguments& arguments) {
-  state.scene.camera.film_distance_mm =
+  state.camera_lens.film_distance_mm =
       arguments.number({.meaning = "a length in mm", .open = true});
   state.camera_lens.film_distance_at = arguments.keyword().where;
 }
 
 void read_lens_coating(SceneState& state, Arguments& arguments) {
-  state.scene.camera.lens_coating = arguments.on_off();
+  state.camera_lens.coating = arguments.on_off();
   state.camera_lens.coating_at = arguments.keyword().where;
 }
 
@@ -79,7 +79,7 @@ void read_lens_file(SceneState& state, Arguments& arguments) {
     throw ReadError(name.where, fmt::format("there is no file \"{}\"", file.string()),
                     "lenses are found relative to the file that names them",
                     "Check the name, or write the whole path");
-  state.scene.camera.lens = read_lens_prescription(file, state.warn);
+  state.camera_lens.prescription = read_lens_prescription(file, state.warn);
   state.camera_lens.lens_at = arguments.keyword().where;
 }
 
@@ -90,8 +90,7 @@ void read_lens_file(SceneState& state, Arguments& arguments) {
 }
 
 void finish_real_lens(SceneState& state) {
-  const CameraLensState& given = state.camera_lens;
-  Camera& camera = state.scene.camera;
+  CameraLensState& given = state.camera_lens;
   if (given.focal_length_mm)
     throw ReadError(given.focal_length_mm->where, "focalLength stands beside lensFile",
                     "the lens of the file has its own", "Remove one of them");
@@ -99,43 +98,49 @@ void finish_real_lens(SceneState& state) {
     throw ReadError(*given.film_distance_at, "filmDistance stands beside focusDistance",
                     "both say where the film is", "Remove one of them");
   const double mm_per_unit = state.scene.mm_per_unit;
+  RealLens lens{std::move(*given.prescription), given.aperture,       given.focus_distance,
+                given.film_distance_mm,         given.film_height_mm, given.coating};
   if (given.f_number)
-    camera.aperture = LensSystem(*camera.lens).paraxial(kLineD_nm).focal_length() /
-                      given.f_number->value / mm_per_unit;
+    lens.aperture = LensSystem(lens.prescription).paraxial(kLineD_nm).focal_length() /
+                    given.f_number->value / mm_per_unit;
   try {
-    (void)focused_lens(camera, mm_per_unit);
+    (void)focused_lens(lens, state.scene.camera, mm_per_unit);
   } catch (const std::invalid_argument& error) {
-    throw ReadError(*given.lens_at, fmt::format("the lens {} cannot be set so", camera.lens->name),
-                    error.what(),
-                    "Check the aperture, the focus (that of lookAt unless given) and the unit");
+    throw ReadError(
+        *given.lens_at, fmt::format("the lens {} cannot be set so", lens.prescription.name),
+        error.what(), "Check the aperture, the focus (that of lookAt unless given) and the unit");
   }
+  state.scene.camera.kind = std::move(lens);
 }
 
 void finish_thin_lens(SceneState& state) {
   const CameraLensState& given = state.camera_lens;
   Camera& camera = state.scene.camera;
+  ThinLens lens{given.aperture, given.focus_distance};
   if (given.film_distance_at) fail_without(*given.film_distance_at, "filmDistance", "lensFile");
   if (given.coating_at) fail_without(*given.coating_at, "lensCoating", "lensFile");
   if (!given.focal_length_mm) {
     if (given.f_number) fail_without(given.f_number->where, "fNumber", "focalLength or lensFile");
     if (given.film_height_at)
       fail_without(*given.film_height_at, "filmHeight", "focalLength or lensFile");
+    if (lens.aperture > 0.0) camera.kind = lens;
     return;
   }
   const auto& [focal_length, where] = *given.focal_length_mm;
   if (!given.f_number && !given.film_height_at)
     fail_without(where, "focalLength", "fNumber or filmHeight");
   if (given.f_number)
-    camera.aperture = focal_length / given.f_number->value / state.scene.mm_per_unit;
+    lens.aperture = focal_length / given.f_number->value / state.scene.mm_per_unit;
+  if (lens.aperture > 0.0) camera.kind = lens;
   if (!given.film_height_at) return;
-  const double focus = focus_distance(camera) * state.scene.mm_per_unit;
+  const double focus = focus_distance(camera, given.focus_distance) * state.scene.mm_per_unit;
   if (!(focus > focal_length))
     throw ReadError(where, "the camera is focused nearer than its focal length",
                     fmt::format("{:g} mm; there is no image then", focus),
                     "Check focusDistance, or lookAt, and the unit");
   const double film_distance = focal_length / (1.0 - focal_length / focus);
   camera.field_of_view_deg =
-      360.0 / std::numbers::pi * std::atan(0.5 * *camera.film_height_mm / film_distance);
+      360.0 / std::numbers::pi * std::atan(0.5 * *given.film_height_mm / film_distance);
 }
 
 constexpr std::array kKeywords{
@@ -156,7 +161,7 @@ std::span<const SceneKeyword> camera_lens_keywords() {
 }
 
 void finish_camera_lens(SceneState& state) {
-  if (state.scene.camera.lens)
+  if (state.camera_lens.prescription)
     finish_real_lens(state);
   else
     finish_thin_lens(state);

@@ -35,15 +35,8 @@ double radians(double angle_deg) {
   return angle_deg * std::numbers::pi / 180.0;
 }
 
-void add_light(SceneState& state, std::string name, const Curve& spectrum,
-               decltype(Light::emitter) emitter) {
-  // Parallel light has no distance to fall off with.
-  const Falloff falloff =
-      std::holds_alternative<DirectionalLight>(emitter) || std::holds_alternative<SunLight>(emitter)
-          ? Falloff::none
-          : state.light.falloff;
-  state.scene.lights.push_back(
-      {std::move(name), spectrum.scaled(state.light.intensity), falloff, emitter});
+void add_light(SceneState& state, std::string name, const Curve& spectrum, const LightKind& kind) {
+  state.scene.lights.push_back({std::move(name), spectrum.scaled(state.light.intensity), kind});
 }
 
 /// A direction of the file, not 0 0 0, in the world and of unit length.
@@ -58,7 +51,8 @@ bool read_is_local(Arguments& arguments) {
 void read_light(SceneState& state, Arguments& arguments) {
   if (arguments.number_follows()) {
     const dvec3 position = state.transform.point(arguments.vector());
-    add_light(state, "", rgb_emission(read_rgb(arguments)), PointLight{position});
+    add_light(state, "", rgb_emission(read_rgb(arguments)),
+              PointLight{position, state.light.falloff});
     return;
   }
   const Token name = arguments.name_token("the name of a light, or a position,");
@@ -66,7 +60,8 @@ void read_light(SceneState& state, Arguments& arguments) {
   const SourcePosition where = arguments.reader().peek().where;
   const dvec3 place = arguments.vector();
   if (read_is_local(arguments)) {
-    add_light(state, name.text, spectrum, PointLight{state.transform.point(place)});
+    add_light(state, name.text, spectrum,
+              PointLight{state.transform.point(place), state.light.falloff});
     return;
   }
   if (largest_component(place) == 0.0)
@@ -101,6 +96,7 @@ void read_spotlight(SceneState& state, Arguments& arguments) {
                     "Give a smaller softEdge before it");
   spot.half_angle = radians(angle_deg);
   spot.full_angle = radians(angle_deg - state.light.soft_edge_deg);
+  spot.falloff = state.light.falloff;
   add_light(state, name.text, spectrum, spot);
 }
 

@@ -73,6 +73,10 @@ struct GivenNumber {
 
 /// What is said of the camera's lens, and where; it comes together at the end of the scene.
 struct CameraLensState {
+  double aperture = 0.0; ///< in scene units; 0: a pinhole, or a real lens as open as it is
+  std::optional<double> focus_distance, film_distance_mm, film_height_mm;
+  std::optional<LensPrescription> prescription;
+  bool coating = true;
   std::optional<GivenNumber> f_number, focal_length_mm;
   std::optional<SourcePosition> focus_at, film_height_at, film_distance_at, coating_at, lens_at;
 };

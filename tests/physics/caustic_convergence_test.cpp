@@ -27,14 +27,14 @@ std::vector<double> splats(const Scene& scene, const Plan& plan, const World& wo
                            std::uint32_t count, std::uint64_t seed) {
   Emission emission(scene, plan);
   emission.place(world);
-  const CameraRays camera(scene.camera, 8, 8);
+  const PlacedCamera camera(scene, plan.settings, world);
   Film film({0, 0, 8, 8}, plan.quantum, 0);
   film.enable_splats();
   LightPaths paths(plan, world, emission, &camera, film);
   RayCounts counts;
   for (std::uint32_t i = 0; i < count; ++i) {
     const Sampler sampler(~0, 0, i, seed);
-    if (const auto ray = emission.emitters().at(0).sample(sampler))
+    if (const auto ray = emission.lights().at(0).sample(sampler))
       paths.trace(*ray, sampler, 1.0 / count, nullptr, 0.0, counts);
   }
   film.add_light_passes(1.0);
@@ -90,7 +90,7 @@ TEST_CASE("caustics from the photon map come close to those of splats with more 
                                           "falloff square light E 0.3 2.2 0 1");
   scene.settings.light_paths = 512.0;
   const auto splatted = test::over_seeds(scene, 3);
-  scene.camera.aperture = 1e-6;
+  scene.camera.kind = ThinLens{1e-6};
   scene.settings.light_paths = 16.0; // 2^14 a pass
   struct Distance {
     double total, pixels; ///< of the mean; root mean square of single pictures' pixels

@@ -1,4 +1,4 @@
-#include "core/lamps/emission.h"
+#include "core/lights/emission.h"
 #include "core/planning/make_plan.h"
 #include "spectral/glass.h"
 #include "tests/catch.h"
@@ -114,7 +114,7 @@ TEST_CASE("meshes and polyhedra that shine throw the caustics of the squares and
     REQUIRE(lamp != scene.shapes.end());
     const auto analytic = test::over_seeds(scene, 16);
     lamp->shape = twin.shape;
-    CHECK(Emission(scene, make_plan(scene, scene.settings)).emitters().size() == 1);
+    CHECK(Emission(scene, make_plan(scene, scene.settings)).lights().size() == 1);
     const auto meshed = test::over_seeds(scene, 16);
     CHECK(std::abs(total_z(analytic, meshed)) < 4.0);
     CHECK(meshed.total == Approx(analytic.total).epsilon(0.01));

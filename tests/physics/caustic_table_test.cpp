@@ -54,7 +54,7 @@ TEST_CASE("how fast caustics come close to what they should be", "[.][convergenc
     for (const bool mapped : {false, true}) {
       std::cout << lamp << (mapped ? ": photon map\n" : ": splats\n");
       Scene again = scene;
-      again.camera.aperture = mapped ? 1e-6 : 0.0;
+      if (mapped) again.camera.kind = ThinLens{1e-6};
       again.settings.light_paths = 0.45; // 2^14 a pass
       double first = 0.0, last = 0.0;
       for (const int passes : {1, 4, 16, 64}) {

@@ -28,7 +28,7 @@ Flux followed(const std::string& text) {
   constexpr std::uint32_t kPaths = 1 << 14;
   for (std::uint32_t i = 0; i < kPaths; ++i) {
     const Sampler sampler(0, 0, i, 3);
-    const auto ray = emission.emitters().at(0).sample(sampler);
+    const auto ray = emission.lights().at(0).sample(sampler);
     if (!ray) continue;
     const auto hit = world.closest(ray->state);
     if (hit && plan.materials[hit->material.index()].specular_part())

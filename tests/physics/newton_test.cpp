@@ -20,7 +20,7 @@ TEST_CASE("each band of Newton's spectrum lands where Snell sends it, with what 
   const World world(scene.shapes, farthest_coordinate(scene));
   Emission emission(scene, plan);
   emission.place(world);
-  REQUIRE(emission.emitters().size() == 1);
+  REQUIRE(emission.lights().size() == 1);
   Film film({0, 0, 1, 1}, 1.0, 0);
   LightPaths paths(plan, world, emission, nullptr, film);
   PhotonBatch batch;
@@ -28,7 +28,7 @@ TEST_CASE("each band of Newton's spectrum lands where Snell sends it, with what 
   constexpr std::uint32_t kPaths = 1u << 17;
   for (std::uint32_t i = 0; i < kPaths; ++i) {
     const Sampler sampler(0, 0, i, 7);
-    if (const auto ray = emission.emitters()[0].sample(sampler))
+    if (const auto ray = emission.lights()[0].sample(sampler))
       paths.trace(*ray, sampler, 1.0 / kPaths, &batch, 1.0 / kPaths, counts);
   }
   for (int b = 0; b < 81; ++b) {

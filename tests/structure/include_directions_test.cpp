@@ -89,7 +89,7 @@ constexpr std::string_view kFloors[] = {
     "core/scene/",   "core/bands/",       "core/optics/",       "core/emitters/",
     "core/drops/",   "core/plan/",        "core/sampling/",     "core/cameras/",
     "core/film/",    "core/adaptive/",    "core/bundles/",      "core/scattering/",
-    "core/lamps/",   "core/integrators/", "core/image/",        "core/planning/",
+    "core/lights/",  "core/integrators/", "core/image/",        "core/planning/",
     "core/render/",  "io/files/",         "io/text/",           "io/images/",
     "io/libraries/", "io/meshes/",        "io/scene_language/", "io/program/"};
 
@@ -240,7 +240,7 @@ TEST_CASE("each rule finds what breaks it") {
 
   CHECK_FALSE(broken("core/film/film.h", "core/scene/pixel_window.h"));
   CHECK(broken("core/scene/scene.h", "core/film/film.h"));
-  CHECK(broken("core/lamps/lamps.cpp", "core/integrators/path.h"));
+  CHECK(broken("core/lights/lights.cpp", "core/integrators/path.h"));
   CHECK(broken("io/images/write_exr.cpp", "io/program/command_line.h"));
   CHECK(without_a_room({{"core/fan.h", {{}, 1}}, {"core/bundles/fan.h", {{}, 1}}}) ==
         std::vector<std::string>{"core/fan.h"});

@@ -2,7 +2,7 @@
 
 #include "core/bundles/extend.h"
 #include "core/bundles/fan.h"
-#include "core/cameras/camera.h"
+#include "core/cameras/pinhole_camera.h"
 #include "core/planning/make_plan.h"
 #include "core/planning/plan_extent.h"
 #include "tests/render_text.h"
@@ -14,7 +14,7 @@ struct FanScene {
   Scene scene;
   Plan plan;
   World world;
-  CameraRays camera;
+  PinholeCamera camera;
   PathWavelengths wavelengths;
   Fan fan;
   Bundle bundle;

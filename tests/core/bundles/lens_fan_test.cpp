@@ -21,16 +21,17 @@ struct Setup {
 
   explicit Setup(const char* lens, const RenderSettings& settings = {}, double f_number = 4.0)
       : scene(scene_with(lens, f_number)), plan(make_plan(scene, settings)),
-        camera(scene.camera, 1.0, settings.width, settings.height) {}
+        camera(std::get<RealLens>(scene.camera.kind), scene.camera,
+               {settings.width, settings.height, 1.0}) {}
 
   static Scene scene_with(const char* lens, double f_number) {
     Scene scene;
     scene.background = Curve::constant(1.0);
-    Camera& camera = scene.camera;
-    camera.eye = {0.0, 0.0, 500.0};
-    camera.lens = lens_file(lens);
-    camera.aperture = LensSystem(*camera.lens).paraxial(587.5618).focal_length() / f_number;
-    camera.film_height_mm = 12.0;
+    scene.camera.eye = {0.0, 0.0, 500.0};
+    RealLens real{lens_file(lens)};
+    real.aperture = LensSystem(real.prescription).paraxial(587.5618).focal_length() / f_number;
+    real.film_height_mm = 12.0;
+    scene.camera.kind = real;
     return scene;
   }
 
@@ -172,10 +173,11 @@ TEST_CASE("lens fan: bands that the lens stops are left out, alone or in a range
 
 TEST_CASE("lens fan: a lens of one index never parts bands") {
   Scene scene = Setup::scene_with("singlet_bk7_50", 4.0);
-  scene.camera.lens->surfaces[0].medium_after = ConstantIndex{1.5168};
+  auto& lens = std::get<RealLens>(scene.camera.kind);
+  lens.prescription.surfaces[0].medium_after = ConstantIndex{1.5168};
   const RenderSettings settings = with(0.0, 405);
   const Plan plan = make_plan(scene, settings);
-  const LensCamera camera(scene.camera, 1.0, 100, 100);
+  const LensCamera camera(lens, scene.camera, {100, 100, 1.0});
   std::vector<CameraBundle> bundles;
   std::vector<RayState> states;
   LensFan(plan, camera).sample({30.0, 60.0}, kRim, {0.5, 0.3}, bundles, states);

@@ -14,13 +14,12 @@ using test::lens_file;
 namespace {
 
 FocusedLens focused(const char* name, double f_number = 0.0) {
-  Camera camera;
-  camera.lens = lens_file(name);
-  camera.focus_distance = 5000.0;
-  camera.film_height_mm = 24.0;
+  RealLens lens{lens_file(name)};
+  lens.focus_distance = 5000.0;
+  lens.film_height_mm = 24.0;
   if (f_number > 0.0)
-    camera.aperture = LensSystem(*camera.lens).paraxial(587.5618).focal_length() / f_number;
-  return focused_lens(camera, 1.0);
+    lens.aperture = LensSystem(lens.prescription).paraxial(587.5618).focal_length() / f_number;
+  return focused_lens(lens, Camera{}, 1.0);
 }
 
 bool passes(const FocusedLens& f, double film_radius, const dvec2& pupil, double lambda_nm) {
@@ -87,11 +86,10 @@ TEST_CASE("exit pupil: on the axis it is a disc, of which nearly all passes") {
 // A lens free of coma and spherical aberration obeys the sine condition: for an object far away the
 // widest ray meets the film at sin = D / (2 f).
 TEST_CASE("exit pupil: the light in the middle is that of the f-number") {
-  Camera camera;
-  camera.lens = lens_file("double_gauss_f2");
-  camera.focus_distance = 1e7;
-  camera.aperture = 100.003721 / 4.0;
-  const ExitPupil pupil(focused_lens(camera, 1.0), 20.0);
+  RealLens lens{lens_file("double_gauss_f2")};
+  lens.focus_distance = 1e7;
+  lens.aperture = 100.003721 / 4.0;
+  const ExitPupil pupil(focused_lens(lens, Camera{}, 1.0), 20.0);
   CHECK(pupil.axial_irradiance() == Approx(std::numbers::pi / (4.0 * 16.0)).epsilon(2e-3));
 }
 

@@ -17,13 +17,23 @@ namespace {
 constexpr double kFocus = 2000.0; ///< mm
 constexpr int kSize = 100;        ///< pixels per side
 
-Camera camera_with(const char* name, double f_number) {
+const ImageScale kImage{kSize, kSize, 1.0};
+
+RealLens lens_with(const char* name, double f_number) {
+  RealLens lens{lens_file(name)};
+  lens.aperture = LensSystem(lens.prescription).paraxial(kLineD_nm).focal_length() / f_number;
+  lens.film_height_mm = 30.0;
+  return lens;
+}
+
+Camera from_the_focus() {
   Camera camera;
   camera.eye = {0.0, 0.0, kFocus};
-  camera.lens = lens_file(name);
-  camera.aperture = LensSystem(*camera.lens).paraxial(kLineD_nm).focal_length() / f_number;
-  camera.film_height_mm = 30.0;
   return camera;
+}
+
+LensCamera camera_with(const RealLens& lens) {
+  return {lens, from_the_focus(), kImage};
 }
 
 dvec2 numbers(int i, std::uint32_t purpose) {
@@ -68,7 +78,7 @@ double brightness(const LensCamera& camera, const dvec2& position, double nm) {
 
 TEST_CASE("lens camera: a point in focus is small, and one out of focus as large as the beam") {
   const double f_number = 16.0;
-  const LensCamera camera(camera_with("double_gauss_f2", f_number), 1.0, kSize, kSize);
+  const LensCamera camera = camera_with(lens_with("double_gauss_f2", f_number));
   const double pupil = camera.lens().entrance_pupil_diameter();
   const double sharp = spot(camera, kLineD_nm, 0.0);
   // The beam that fills the entrance pupil shrinks to the plane of focus and grows behind it. The
@@ -80,7 +90,7 @@ TEST_CASE("lens camera: a point in focus is small, and one out of focus as large
 }
 
 TEST_CASE("lens camera: what is below and to the right comes from there") {
-  const LensCamera camera(camera_with("cooke_triplet", 8.0), 1.0, kSize, kSize);
+  const LensCamera camera = camera_with(lens_with("cooke_triplet", 8.0));
   const double pixel = kFocus * camera.pixel_angle();
   // Close to the axis the picture is that of a pinhole; farther out this lens hardly distorts.
   for (const dvec2 offset : {dvec2(5, 0), dvec2(0, 7), dvec2(-20, 10)}) {
@@ -97,11 +107,12 @@ TEST_CASE("lens camera: what is below and to the right comes from there") {
 }
 
 TEST_CASE("lens camera: the scene's unit scales the lens, not the picture") {
-  Camera in_metres = camera_with("double_gauss_f2", 4.0);
-  in_metres.eye /= 1000.0;
+  RealLens in_metres = lens_with("double_gauss_f2", 4.0);
+  Camera nearer = from_the_focus();
+  nearer.eye /= 1000.0;
   in_metres.aperture /= 1000.0;
-  const LensCamera a(camera_with("double_gauss_f2", 4.0), 1.0, kSize, kSize);
-  const LensCamera b(in_metres, 1000.0, kSize, kSize);
+  const LensCamera a = camera_with(lens_with("double_gauss_f2", 4.0));
+  const LensCamera b(in_metres, nearer, {kSize, kSize, 1000.0});
   const auto n = a.lens().indices(500.0);
   const dvec2 u{0.3, 0.6};
   const Ray p = a.to_world(a.trace(a.film_ray({20, 30}, u).value(), n).value().ray);
@@ -114,7 +125,7 @@ TEST_CASE("lens camera: a uniform radiance is seen as it is in the middle, at an
   for (const char* name : {"double_gauss_f2", "singlet_bk7_50", "zeiss_biotar_1927"})
     for (const double f_number : {2.2, 5.6, 16.0}) {
       INFO(name << " f/" << f_number);
-      const LensCamera camera(camera_with(name, f_number), 1.0, kSize, kSize);
+      const LensCamera camera = camera_with(lens_with(name, f_number));
       CHECK(brightness(camera, {50.0, 50.0}, kLineD_nm) == Approx(1.0).epsilon(2e-3));
     }
 }
@@ -122,9 +133,8 @@ TEST_CASE("lens camera: a uniform radiance is seen as it is in the middle, at an
 // A thin lens with its stop at the glass: the film sees a disc at the same distance from every
 // place, dE = L cos^4 dA / d^2.
 TEST_CASE("lens camera: off the axis, light falls with cos^4") {
-  const LensCamera camera(camera_with("singlet_bk7_50", 32.0), 1.0, kSize, kSize);
-  Camera same = camera_with("singlet_bk7_50", 32.0);
-  const FocusedLens lens = focused_lens(same, 1.0);
+  const LensCamera camera = camera_with(lens_with("singlet_bk7_50", 32.0));
+  const FocusedLens lens = focused_lens(lens_with("singlet_bk7_50", 32.0), from_the_focus(), 1.0);
   // The exit pupil is the image of the stop, the first surface, in the second: close to it.
   const double distance = lens.film_distance + 3.4;
   for (const double pixels : {10.0, 30.0, 45.0}) {
@@ -136,9 +146,9 @@ TEST_CASE("lens camera: off the axis, light falls with cos^4") {
 
 // The same integral over all of the last surface, without the exit pupil.
 TEST_CASE("lens camera: vignetting is that of all rays that pass") {
-  const Camera description = camera_with("double_gauss_f2", 2.0);
-  const LensCamera camera(description, 1.0, kSize, kSize);
-  const FocusedLens lens = focused_lens(description, 1.0);
+  const RealLens description = lens_with("double_gauss_f2", 2.0);
+  const LensCamera camera = camera_with(description);
+  const FocusedLens lens = focused_lens(description, from_the_focus(), 1.0);
   const auto n = lens.lens.indices(450.0);
   const double last = lens.lens.last_vertex(), d = lens.film_distance;
   const auto irradiance = [&](double film_radius, double reach) {
@@ -160,9 +170,9 @@ TEST_CASE("lens camera: vignetting is that of all rays that pass") {
 }
 
 TEST_CASE("lens camera: beyond the image circle it is dark") {
-  Camera description = camera_with("double_gauss_f2", 2.0);
+  RealLens description = lens_with("double_gauss_f2", 2.0);
   description.film_height_mm = 300.0;
-  const LensCamera camera(description, 1.0, kSize, kSize);
+  const LensCamera camera = camera_with(description);
   CHECK(brightness(camera, {50.0, 50.0}, kLineD_nm) == Approx(1.0).epsilon(2e-3));
   CHECK(brightness(camera, {99.0, 50.0}, kLineD_nm) == 0.0);
   CHECK_FALSE(camera.film_ray({99.0, 99.0}, {0.5, 0.5}));
@@ -170,8 +180,8 @@ TEST_CASE("lens camera: beyond the image circle it is dark") {
 
 TEST_CASE("lens camera: colours are sharp at other distances") {
   // The distance at which the blue spot is smallest is that of the paraxial image in blue.
-  const LensCamera camera(camera_with("singlet_bk7_50", 16.0), 1.0, kSize, kSize);
-  const FocusedLens lens = focused_lens(camera_with("singlet_bk7_50", 16.0), 1.0);
+  const LensCamera camera = camera_with(lens_with("singlet_bk7_50", 16.0));
+  const FocusedLens lens = focused_lens(lens_with("singlet_bk7_50", 16.0), from_the_focus(), 1.0);
   const double sharp = lens.lens.paraxial(kLineF_nm).object_distance(lens.film_distance);
   REQUIRE(sharp > 0.0);
   CHECK(std::abs(sharp - kFocus) > 100.0);
@@ -182,9 +192,9 @@ TEST_CASE("lens camera: colours are sharp at other distances") {
 }
 
 TEST_CASE("lens camera: without coating each surface takes its share") {
-  Camera description = camera_with("singlet_bk7_50", 16.0);
-  description.lens_coating = false;
-  const LensCamera camera(description, 1.0, kSize, kSize);
+  RealLens description = lens_with("singlet_bk7_50", 16.0);
+  description.coating = false;
+  const LensCamera camera = camera_with(description);
   const double n = camera.lens().indices(kLineD_nm)[1];
   const double passed = 1.0 - std::pow((n - 1.0) / (n + 1.0), 2); // close to normal incidence
   CHECK(brightness(camera, {50.0, 50.0}, kLineD_nm) == Approx(passed * passed).epsilon(2e-3));

@@ -72,14 +72,14 @@ TEST_CASE("an environment turns with its transform") {
   CHECK(radiance(map_of(e), {s, 1, s}) == Approx(1.0)); // (-s, 1, s) went to (s, 1, s)
 }
 
-TEST_CASE("directions of an environment come with the density that is claimed") {
+TEST_CASE("directions of an environment come with the pdf that is claimed") {
   for (const auto& [width, height] : {std::pair(12, 6), std::pair(5, 1), std::pair(1, 4)}) {
     Environment e = uneven(width, height);
     if (width < 5) e = picture(width, height, {0.0f, 1.0f, 0.2f, 3.0f});
     const EnvironmentMap map = map_of(e);
     const auto check = test::check_sampling(
         kAll, [&](const dvec2& u) { return std::optional(map.sample(u)); },
-        [&](const dvec3& v) { return map.density(v); }, 60000, 96);
+        [&](const dvec3& v) { return map.pdf(v); }, 60000, 96);
     CAPTURE(width, height, check.chi_square, check.limit);
     CHECK(check.agrees());
     CHECK(check.drawn == Approx(1.0));
@@ -93,10 +93,10 @@ TEST_CASE("all that shines can be chosen, and nothing else") {
   const auto number = [&] { return std::ldexp(static_cast<double>(engine() >> 11), -53); };
   for (int i = 0; i < 2000; ++i) {
     const dvec3 v = kAll.sample({number(), number()});
-    CHECK((radiance(map, v) > 0.0) == (map.density(v) > 0.0));
+    CHECK((radiance(map, v) > 0.0) == (map.pdf(v) > 0.0));
     const dvec3 drawn = map.sample({number(), number()});
     CHECK(glm::length(drawn) == Approx(1.0).epsilon(1e-14));
-    CHECK(map.density(drawn) > 0.0);
+    CHECK(map.pdf(drawn) > 0.0);
   }
 }
 
@@ -117,7 +117,7 @@ TEST_CASE("a constant environment has its colour everywhere, at any band") {
     CHECK(values[0] == Approx(expected.at(420.0) / d65.at(420.0)).epsilon(2e-3));
     CHECK(values[1] == Approx(expected.at(550.0) / d65.at(550.0)).epsilon(2e-3));
     CHECK(values[2] == Approx(2.0 * expected.at(690.0) / d65.at(690.0)).epsilon(2e-3));
-    CHECK(map.density(v) == Approx(0.25 / kPi));
+    CHECK(map.pdf(v) == Approx(0.25 / kPi));
   }
   e.has_colors = false;
   CHECK(radiance(map_of(e), {0, 1, 0}) == Approx(luminance({1.5, 6.0, 0.75})));

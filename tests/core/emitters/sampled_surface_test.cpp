@@ -50,10 +50,10 @@ struct Seen {
     return world.closest(RayState{{place, direction}, {}, {}});
   }
   /// Of the first point of the surface in this direction; 0 where it shows its dark side.
-  [[nodiscard]] double density(const dvec3& direction, bool both_sides) const {
+  [[nodiscard]] double pdf(const dvec3& direction, bool both_sides) const {
     const auto met = hit(direction);
     if (!met || (!met->entering && !both_sides)) return 0.0;
-    return std::visit([&](const auto& s) { return s.density(place, met->point, met->normal); },
+    return std::visit([&](const auto& s) { return s.pdf(place, met->point, met->normal); },
                       surface);
   }
   [[nodiscard]] test::SamplingCheck check(bool both_sides = false, int fine = 96) const {
@@ -66,8 +66,8 @@ struct Seen {
       const auto seen = sample(u);
       return seen ? std::optional(seen->direction) : std::nullopt;
     };
-    const auto density_of = [&](const dvec3& v) { return density(v, both_sides); };
-    return test::check_sampling(all, direction_of, density_of, 20000, fine);
+    const auto pdf_of = [&](const dvec3& v) { return pdf(v, both_sides); };
+    return test::check_sampling(all, direction_of, pdf_of, 20000, fine);
   }
 };
 
@@ -75,7 +75,7 @@ const dvec3 kStretch{0.5, 1.2, 0.8}, kMirror{0.5, -0.7, 0.9}, kEven{0.6, 0.6, 0.
 
 } // namespace
 
-TEST_CASE("directions to a lamp come with the density that is claimed, which is lost nowhere") {
+TEST_CASE("directions to a light come with the pdf that is claimed, which is lost nowhere") {
   struct Case {
     const char* name;
     Shape shape;
@@ -131,7 +131,7 @@ TEST_CASE("no solid lamp shines inside itself") {
 
 // The solid angle of a ball is 2 pi (1 - cos), with sin = R / d. 1 - cos = sin^2 / (1 + cos) holds
 // all digits where R / d is 1e-9 and 1 - cos would be 0.
-TEST_CASE("the density of a ball is one over its solid angle, however small it is") {
+TEST_CASE("the pdf of a ball is one over its solid angle, however small it is") {
   for (const double radius : {1.0, 1e-3, 1e-9}) {
     const Seen ball(Sphere{}, placed_at(dvec3(0.0), dvec3(radius)), {0.0, 0.0, 2.0});
     const double sine2 = radius * radius / 4.0;
@@ -139,7 +139,7 @@ TEST_CASE("the density of a ball is one over its solid angle, however small it i
     for (const dvec2 u : {dvec2(0.0, 0.0), dvec2(0.3, 0.8), dvec2(0.999, 0.5)}) {
       const auto seen = ball.sample(u);
       REQUIRE(seen);
-      CHECK(seen->density * solid_angle == Approx(1.0).epsilon(1e-12));
+      CHECK(seen->pdf * solid_angle == Approx(1.0).epsilon(1e-12));
       CHECK(glm::length(seen->direction) == Approx(1.0).epsilon(1e-15));
       const dvec3 point = ball.place + seen->distance * seen->direction;
       CHECK(glm::length(point) == Approx(radius).margin(1e-11));
@@ -184,10 +184,10 @@ TEST_CASE("areas in the world") {
         Approx(2.0 * kPi * (1.0 + c / e * std::asin(e))).epsilon(1e-3));
 }
 
-// The mean of 1 / density is the area; over a closed surface the normals times area cancel, and
+// The mean of 1 / pdf is the area; over a closed surface the normals times area cancel, and
 // over one with a centre the places do, if each part has its share. The face that is named holds
 // the point.
-TEST_CASE("points of a surface come with the density that is claimed, on the face that is named") {
+TEST_CASE("points of a surface come with the pdf that is claimed, on the face that is named") {
   const Shape shapes[] = {Square{}, Disc{}, Sphere{}, Box{}, roof(), tetrahedron(), thesis_prism()};
   for (const Shape& shape : shapes)
     for (const dvec3& stretch : {kEven, kMirror}) {
@@ -200,7 +200,7 @@ TEST_CASE("points of a surface come with the density that is claimed, on the fac
       for (int i = 0; i < kSide * kSide; ++i) {
         const dvec2 u{(i % kSide + 0.5) / kSide, (i / kSide + 0.5) / kSide};
         const SurfacePoint at = std::visit([&](const auto& s) { return s.at(u); }, surface);
-        const double share = 1.0 / at.density / (kSide * kSide);
+        const double share = 1.0 / at.pdf / (kSide * kSide);
         const dvec3 local = placed.to_world.inverse_point(at.point);
         area += share;
         normals += share * at.normal;

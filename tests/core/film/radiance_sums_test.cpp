@@ -12,8 +12,8 @@ namespace {
 /// Two lamps over a black background, under so many bands.
 Plan two_lamps(int bands, bool skip = true) {
   Scene scene;
-  scene.lights = {{"", Curve::table({380.0, 780.0}, {0.2, 1.0}), Falloff::none, PointLight{}},
-                  {"", Curve::constant(0.5), Falloff::none, PointLight{}}};
+  scene.lights = {{"", Curve::table({380.0, 780.0}, {0.2, 1.0}), PointLight{}},
+                  {"", Curve::constant(0.5), PointLight{}}};
   RenderSettings settings;
   settings.bands = bands;
   settings.skip = skip;

@@ -15,6 +15,14 @@ const std::string kLens = "lensFile lenses/double_gauss_f2.lens ";
 const std::string kAbsolute =
     "lensFile \"" ABBE_SOURCE_DIR "/scenes/lenses/double_gauss_f2.lens\" ";
 
+ThinLens thin_lens(const Camera& camera) {
+  return std::get<ThinLens>(camera.kind);
+}
+
+ThinLens thin_lens_of(const std::string& text) {
+  return thin_lens(scene_of(text).camera);
+}
+
 void check_error(const std::string& text, const std::string& message) {
   CHECK_THAT(scene_error(text), Catch::Matchers::ContainsSubstring(message));
 }
@@ -22,23 +30,22 @@ void check_error(const std::string& text, const std::string& message) {
 } // namespace
 
 TEST_CASE("the camera is a pinhole unless told otherwise") {
-  const Camera camera = scene_of("").camera;
-  CHECK(camera.aperture == 0.0);
-  CHECK_FALSE(camera.lens);
-  CHECK_FALSE(camera.focus_distance);
+  for (const char* text : {"", "aperture 0", "focusDistance 7", "aperture 9 aperture 0"})
+    CHECK(std::holds_alternative<Pinhole>(scene_of(text).camera.kind));
 }
 
 TEST_CASE("a thin lens by aperture, or by focal length and f-number") {
   const Camera camera = scene_of("aperture 0.25 focusDistance 7").camera;
-  CHECK(camera.aperture == 0.25);
-  CHECK(camera.focus_distance == 7.0);
+  CHECK(thin_lens(camera).aperture == 0.25);
+  CHECK(thin_lens(camera).focus_distance == 7.0);
   CHECK(camera.field_of_view_deg == 30.0);
-  CHECK(scene_of("focusDistance inf").camera.focus_distance ==
+  CHECK_FALSE(thin_lens_of("aperture 1").focus_distance);
+  CHECK(thin_lens_of("aperture 1 focusDistance inf").focus_distance ==
         std::numeric_limits<double>::infinity());
-  CHECK(scene_of("unit cm focalLength 50 fNumber 2").camera.aperture == Approx(2.5));
-  CHECK(scene_of("aperture 9 focalLength 50 fNumber 2").camera.aperture == Approx(25.0));
-  CHECK(scene_of("focalLength 50 fNumber 2 filmHeight 24 focusDistance 5000 aperture 9")
-            .camera.aperture == 9.0); // the last counts
+  CHECK(thin_lens_of("unit cm focalLength 50 fNumber 2").aperture == Approx(2.5));
+  CHECK(thin_lens_of("aperture 9 focalLength 50 fNumber 2").aperture == Approx(25.0));
+  CHECK(thin_lens_of("focalLength 50 fNumber 2 filmHeight 24 focusDistance 5000 aperture 9")
+            .aperture == 9.0); // the last counts
 }
 
 TEST_CASE("the view of a thin lens by its focal length and film") {
@@ -53,16 +60,17 @@ TEST_CASE("the view of a thin lens by its focal length and film") {
 
 TEST_CASE("a real lens from a file beside the scene") {
   const Scene scene = scene_of(kLens + "unit cm eye 0 0 100 fNumber 4 filmHeight 24");
-  REQUIRE(scene.camera.lens);
-  CHECK(scene.camera.lens->name == "double_gauss_f2");
-  CHECK(scene.camera.lens->surfaces.size() == 11);
-  CHECK(scene.camera.aperture == Approx(10.0003721 / 4.0).epsilon(1e-6));
-  CHECK(scene.camera.film_height_mm == 24.0);
-  CHECK(scene.camera.lens_coating);
-  CHECK(focused_lens(scene.camera, scene.mm_per_unit).focus_distance == 1000.0);
-  const Camera other = scene_of(kLens + "filmDistance 70 lensCoating off aperture 10").camera;
+  const auto& lens = std::get<RealLens>(scene.camera.kind);
+  CHECK(lens.prescription.name == "double_gauss_f2");
+  CHECK(lens.prescription.surfaces.size() == 11);
+  CHECK(lens.aperture == Approx(10.0003721 / 4.0).epsilon(1e-6));
+  CHECK(lens.film_height_mm == 24.0);
+  CHECK(lens.coating);
+  CHECK(focused_lens(lens, scene.camera, scene.mm_per_unit).focus_distance == 1000.0);
+  const Scene again = scene_of(kLens + "filmDistance 70 lensCoating off aperture 10");
+  const auto& other = std::get<RealLens>(again.camera.kind);
   CHECK(other.film_distance_mm == 70.0);
-  CHECK_FALSE(other.lens_coating);
+  CHECK_FALSE(other.coating);
   CHECK(other.aperture == 10.0);
 }
 
@@ -112,6 +120,5 @@ TEST_CASE("what a lens cannot do") {
 }
 
 TEST_CASE("an error in a lens file names that file") {
-  check_error("lensFile \"" ABBE_SOURCE_DIR "/scenes/sphere.sdl\"",
-              ".sdl:8:1: unknown keyword");
+  check_error("lensFile \"" ABBE_SOURCE_DIR "/scenes/sphere.sdl\"", ".sdl:8:1: unknown keyword");
 }

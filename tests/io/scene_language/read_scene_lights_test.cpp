@@ -21,17 +21,17 @@ TEST_CASE("Hill's light is a point with a colour and no falloff") {
   const Scene scene = scene_of("light 1 2 3 0.5 0.25 2");
   REQUIRE(scene.lights.size() == 1);
   const Light& light = scene.lights[0];
-  CHECK(std::get<PointLight>(light.emitter).position == dvec3(1, 2, 3));
-  CHECK(light.falloff == Falloff::none);
+  CHECK(std::get<PointLight>(light.kind).position == dvec3(1, 2, 3));
+  CHECK(std::get<PointLight>(light.kind).falloff == Falloff::none);
   CHECK(light.spectrum == rgb_emission({0.5, 0.25, 2.0}));
 }
 
 TEST_CASE("the thesis's light is a point or comes from a direction") {
   const Scene scene = scene_of("light D65 1 2 3 1 light A 0 3 4 0");
   CHECK(scene.lights.at(0).name == "D65");
-  CHECK(std::get<PointLight>(scene.lights.at(0).emitter).position == dvec3(1, 2, 3));
+  CHECK(std::get<PointLight>(scene.lights.at(0).kind).position == dvec3(1, 2, 3));
   CHECK(scene.lights.at(0).spectrum == *find_illuminant("D65"));
-  const dvec3 direction = std::get<DirectionalLight>(scene.lights.at(1).emitter).direction;
+  const dvec3 direction = std::get<DirectionalLight>(scene.lights.at(1).kind).direction;
   CHECK(glm::length(direction - dvec3(0, -0.6, -0.8)) < 1e-15);
 }
 
@@ -46,39 +46,41 @@ TEST_CASE("a light whose name is a number is quoted") {
 TEST_CASE("a spotlight has an axis, a half-angle and a soft edge") {
   const Scene scene =
       scene_of("spotlight E 1 2 3 1 0 0 -5 20 softEdge 5 spotlight E 0 0 0 1 1 0 0 20");
-  const auto& hard = std::get<SpotLight>(scene.lights.at(0).emitter);
+  const auto& hard = std::get<SpotLight>(scene.lights.at(0).kind);
   CHECK(hard.position == dvec3(1, 2, 3));
   CHECK(hard.axis == dvec3(0, 0, -1));
   CHECK(hard.half_angle == Approx(20.0 * kDegree));
   CHECK(hard.full_angle == Approx(20.0 * kDegree));
-  const auto& soft = std::get<SpotLight>(scene.lights.at(1).emitter);
+  const auto& soft = std::get<SpotLight>(scene.lights.at(1).kind);
   CHECK(soft.half_angle == Approx(20.0 * kDegree));
   CHECK(soft.full_angle == Approx(15.0 * kDegree));
 }
 
-TEST_CASE("falloff and intensity hold for the lights that follow, but parallel light has no "
-          "falloff") {
+TEST_CASE("falloff and intensity hold for the lights that follow") {
   const Scene scene = scene_of("light E 0 0 0 1 falloff square intensity 3 light E 0 0 0 1\n"
                                "light E 0 1 0 0 light 0 0 0 1 1 1 falloff none light E 0 0 0 1");
-  CHECK(scene.lights.at(0).falloff == Falloff::none);
+  const auto falloff = [&](std::size_t i) {
+    return std::get<PointLight>(scene.lights.at(i).kind).falloff;
+  };
+  CHECK(falloff(0) == Falloff::none);
   CHECK(scene.lights.at(0).spectrum.constant_value() == 1.0);
-  CHECK(scene.lights.at(1).falloff == Falloff::square);
+  CHECK(falloff(1) == Falloff::square);
   CHECK(scene.lights.at(1).spectrum.constant_value() == 3.0);
-  CHECK(scene.lights.at(2).falloff == Falloff::none);
-  CHECK(scene.lights.at(3).falloff == Falloff::square);
+  CHECK(scene.lights.at(2).spectrum.constant_value() == 3.0);
+  CHECK(falloff(3) == Falloff::square);
   CHECK(scene.lights.at(3).spectrum == rgb_emission({1.0, 1.0, 1.0}).scaled(3.0));
-  CHECK(scene.lights.at(4).falloff == Falloff::none);
+  CHECK(falloff(4) == Falloff::none);
 }
 
 TEST_CASE("lights stand where the current transform puts them") {
   const Scene scene = scene_of("translate 0 0 10 rotate 90 0 1 0 light 1 0 0 1 1 1\n"
                                "light E 1 0 0 1 light E 1 0 0 0 spotlight E 1 0 0 1 1 0 0 5");
   const dvec3 expected(0, 0, 9); // a quarter turn about y takes x to -z
-  CHECK(glm::length(std::get<PointLight>(scene.lights.at(0).emitter).position - expected) < 1e-14);
-  CHECK(glm::length(std::get<PointLight>(scene.lights.at(1).emitter).position - expected) < 1e-14);
-  const dvec3 sun = std::get<DirectionalLight>(scene.lights.at(2).emitter).direction;
+  CHECK(glm::length(std::get<PointLight>(scene.lights.at(0).kind).position - expected) < 1e-14);
+  CHECK(glm::length(std::get<PointLight>(scene.lights.at(1).kind).position - expected) < 1e-14);
+  const dvec3 sun = std::get<DirectionalLight>(scene.lights.at(2).kind).direction;
   CHECK(glm::length(sun - dvec3(0, 0, 1)) < 1e-14);
-  const auto& spot = std::get<SpotLight>(scene.lights.at(3).emitter);
+  const auto& spot = std::get<SpotLight>(scene.lights.at(3).kind);
   CHECK(glm::length(spot.position - expected) < 1e-14);
   CHECK(glm::length(spot.axis - dvec3(0, 0, -1)) < 1e-14);
 }
@@ -87,21 +89,20 @@ TEST_CASE("directions of any length are made unit") {
   const Scene scene = scene_of("light E 0 1e200 0 0 light E 0 1e-200 0 0\n"
                                "spotlight E 0 0 0 1 0 0 1e-300 5");
   for (const std::size_t i : {0U, 1U})
-    CHECK(std::get<DirectionalLight>(scene.lights.at(i).emitter).direction == dvec3(0, -1, 0));
-  CHECK(std::get<SpotLight>(scene.lights.at(2).emitter).axis == dvec3(0, 0, 1));
+    CHECK(std::get<DirectionalLight>(scene.lights.at(i).kind).direction == dvec3(0, -1, 0));
+  CHECK(std::get<SpotLight>(scene.lights.at(2).kind).axis == dvec3(0, 0, 1));
 }
 
 TEST_CASE("a sun comes from a direction, with the spectrum of the sun unless one is named") {
   const Scene scene = scene_of("sun 0 3 4 sunRadius 2 intensity 3 falloff square\n"
                                "sun 1 0 0 D65 sun 0 0 1 \"E\" sphere");
-  const auto sun = [&](std::size_t i) { return std::get<SunLight>(scene.lights.at(i).emitter); };
+  const auto sun = [&](std::size_t i) { return std::get<SunLight>(scene.lights.at(i).kind); };
   CHECK(glm::length(sun(0).direction - dvec3(0, -0.6, -0.8)) < 1e-15);
   CHECK(sun(0).angular_radius == Approx(0.2665 * kDegree).epsilon(1e-15));
   CHECK(scene.lights.at(0).spectrum == blackbody(5778.0));
   CHECK(sun(1).direction == dvec3(-1, 0, 0));
   CHECK(sun(1).angular_radius == Approx(2.0 * kDegree).epsilon(1e-15));
   CHECK(scene.lights.at(1).spectrum == find_illuminant("D65")->scaled(3.0));
-  CHECK(scene.lights.at(1).falloff == Falloff::none);
   CHECK(scene.lights.at(2).spectrum.constant_value() == 3.0);
   CHECK(scene.shapes.size() == 1);
 }

@@ -1,4 +1,4 @@
-#include "core/lamps/emission.h"
+#include "core/lights/emission.h"
 #include "core/planning/make_plan.h"
 #include "core/planning/plan_extent.h"
 #include "tests/catch.h"
@@ -11,11 +11,11 @@ using namespace abbe;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
-/// Light paths of a scene's lamps as they set off, and the flux that meets something.
+/// Light paths of a scene's lights as they set off, and the flux that meets something.
 struct Flux {
-  std::size_t emitters = 0;
+  std::size_t lights = 0;
   double meeting = 0.0;
 };
 
@@ -26,25 +26,25 @@ Flux flux_of(const std::string& text) {
   Emission emission(scene, plan);
   emission.place(world);
   Flux flux;
-  flux.emitters = emission.emitters().size();
+  flux.lights = emission.lights().size();
   constexpr int kPaths = 1 << 15;
-  for (const Emitter& emitter : emission.emitters())
+  for (const EmittingLight& light : emission.lights())
     for (int i = 0; i < kPaths; ++i)
-      if (const auto ray = emitter.sample(Sampler(0, 0, static_cast<std::uint32_t>(i), 1)))
+      if (const auto ray = light.sample(Sampler(0, 0, static_cast<std::uint32_t>(i), 1)))
         if (world.closest(ray->state)) flux.meeting += ray->flux / kPaths;
   return flux;
 }
 
 } // namespace
 
-// Per unit of the lamp's spectrum: a point's intensity is 1, parallel light's irradiance pi, an
-// area lamp's radiance 1.
+// Per unit of the light's spectrum: a point's intensity is 1, parallel light's irradiance pi, an
+// area light's radiance 1.
 
 TEST_CASE("the flux of a point through a ball is the ball's solid angle") {
   // sin = 1/2: 2 pi (1 - sqrt(3)/2).
   const Flux flux = flux_of("falloff square light E 0 0 2 1 glass SF11 sphere");
-  CHECK(flux.emitters == 1);
-  CHECK(flux.meeting == Approx(2.0 * kPi * (1.0 - std::sqrt(0.75))).epsilon(1e-3));
+  CHECK(flux.lights == 1);
+  CHECK(flux.meeting == Approx(2.0 * pi * (1.0 - std::sqrt(0.75))).epsilon(1e-3));
 }
 
 TEST_CASE("overlapping targets are not counted twice") {
@@ -55,11 +55,11 @@ TEST_CASE("overlapping targets are not counted twice") {
 
 TEST_CASE("the flux of parallel light through a ball is pi times its disc") {
   const Flux flux = flux_of("light E 0.3 1 0.2 0 glass SF11 scale 2 2 2 sphere");
-  CHECK(flux.meeting == Approx(kPi * kPi * 4.0).epsilon(1e-3));
+  CHECK(flux.meeting == Approx(pi * pi * 4.0).epsilon(1e-3));
 }
 
 TEST_CASE("the flux of a spotlight in a ball that covers it is that of its cone") {
-  const double cone = 2.0 * kPi * (1.0 - std::cos(kPi / 180.0));
+  const double cone = 2.0 * pi * (1.0 - std::cos(pi / 180.0));
   const Flux flux =
       flux_of("falloff square spotlight E 0 0 20 1 0 0 -1 1 glass SF11 scale 3 3 3 sphere");
   CHECK(flux.meeting == Approx(cone).epsilon(1e-6));
@@ -67,7 +67,7 @@ TEST_CASE("the flux of a spotlight in a ball that covers it is that of its cone"
 
 TEST_CASE("a wide spotlight sends paths to the glass alone") {
   const Flux flux = flux_of("falloff square spotlight E 0 0 2 1 0 0 -1 80 glass SF11 sphere");
-  CHECK(flux.meeting == Approx(2.0 * kPi * (1.0 - std::sqrt(0.75))).epsilon(1e-3));
+  CHECK(flux.meeting == Approx(2.0 * pi * (1.0 - std::sqrt(0.75))).epsilon(1e-3));
 }
 
 TEST_CASE("the flux of a square through a small far ball is radiance times etendue") {
@@ -75,14 +75,14 @@ TEST_CASE("the flux of a square through a small far ball is radiance times etend
   const Flux flux = flux_of("glass SF11 sphere\n"
                             "defaultMaterials diffuse 0 0 0 emissive E emissiveSides front\n"
                             "translate 0 0 100 rotate 180 1 0 0 square");
-  CHECK(flux.meeting == Approx(4.0 * kPi * 1e-4).epsilon(2e-3));
+  CHECK(flux.meeting == Approx(4.0 * pi * 1e-4).epsilon(2e-3));
 }
 
-TEST_CASE("lamps that miss all glass send no paths") {
-  CHECK(flux_of("falloff square spotlight E 0 0 9 1 0 0 1 20 glass SF11 sphere").emitters == 0);
-  CHECK(flux_of("falloff square light E 0 0 9 1 sphere").emitters == 0);
+TEST_CASE("lights that miss all glass send no paths") {
+  CHECK(flux_of("falloff square spotlight E 0 0 9 1 0 0 1 20 glass SF11 sphere").lights == 0);
+  CHECK(flux_of("falloff square light E 0 0 9 1 sphere").lights == 0);
   // No flux that could be followed.
-  CHECK(flux_of("falloff none light E 0 0 9 1 glass SF11 sphere").emitters == 0);
+  CHECK(flux_of("falloff none light E 0 0 9 1 glass SF11 sphere").lights == 0);
 }
 
 TEST_CASE("what does not fall off is an error only where caustics are demanded") {

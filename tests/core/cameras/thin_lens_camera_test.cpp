@@ -1,4 +1,6 @@
-#include "core/cameras/camera.h"
+#include "core/cameras/thin_lens_camera.h"
+
+#include "core/cameras/focus_distance.h"
 #include "core/sampling/sampler.h"
 #include "geometry/disc_point.h"
 #include "tests/catch.h"
@@ -14,12 +16,12 @@ using namespace abbe;
 namespace {
 
 /// From (0, 0, 5) along -z.
-Camera thin_lens(double aperture, double focus_distance) {
-  Camera camera;
-  camera.aperture = aperture;
-  camera.focus_distance = focus_distance;
-  return camera;
+ThinLensCamera thin_lens(double aperture, double focus_distance) {
+  return {{aperture, focus_distance}, Camera{}, 100, 80};
 }
+
+/// In the same place.
+const PinholeCamera kPinhole(Camera{}, 100, 80);
 
 /// Numbers whose disc points are spread over the whole lens.
 dvec2 lens_numbers(int i) {
@@ -52,9 +54,9 @@ TEST_CASE("disc points fill the unit disc evenly") {
 }
 
 TEST_CASE("thin lens: all rays of a place meet in the plane of focus, where the pinhole sees it") {
-  const CameraRays camera(thin_lens(0.6, 3.0), 100, 80);
+  const ThinLensCamera camera = thin_lens(0.6, 3.0);
   for (const dvec2 position : {dvec2(50.0, 40.0), dvec2(3.0, 71.0)}) {
-    const dvec3 sharp = at_depth(camera.ray(position), 3.0);
+    const dvec3 sharp = at_depth(kPinhole.ray(position), 3.0);
     for (int i = 0; i < 64; ++i) {
       const Ray ray = camera.ray(position, lens_numbers(i));
       CHECK(glm::distance(at_depth(ray, 3.0), sharp) < 1e-12);
@@ -69,9 +71,9 @@ TEST_CASE("thin lens: all rays of a place meet in the plane of focus, where the 
 // there.
 TEST_CASE("thin lens: the circle of confusion") {
   const double aperture = 0.5, focus = 4.0;
-  const CameraRays camera(thin_lens(aperture, focus), 100, 80);
+  const ThinLensCamera camera = thin_lens(aperture, focus);
   for (const double z : {1.0, 3.0, 6.0, 40.0}) {
-    const dvec3 middle = at_depth(camera.ray({60.0, 30.0}), z);
+    const dvec3 middle = at_depth(kPinhole.ray({60.0, 30.0}), z);
     double radius = 0.0;
     for (int i = 0; i < 4096; ++i)
       radius = std::max(
@@ -81,8 +83,8 @@ TEST_CASE("thin lens: the circle of confusion") {
 }
 
 TEST_CASE("thin lens: focused at infinity, rays of a place are parallel") {
-  const CameraRays camera(thin_lens(0.5, std::numeric_limits<double>::infinity()), 100, 80);
-  const dvec3 direction = camera.ray({10.0, 20.0}).direction;
+  const ThinLensCamera camera = thin_lens(0.5, std::numeric_limits<double>::infinity());
+  const dvec3 direction = kPinhole.ray({10.0, 20.0}).direction;
   for (int i = 0; i < 16; ++i)
     CHECK(glm::distance(camera.ray({10.0, 20.0}, lens_numbers(i)).direction, direction) < 1e-15);
 }
@@ -90,9 +92,8 @@ TEST_CASE("thin lens: focused at infinity, rays of a place are parallel") {
 TEST_CASE("thin lens: it is focused on lookAt unless told otherwise") {
   Camera camera;
   camera.look_at = {0.0, 3.0, 1.0};
-  CHECK(focus_distance(camera) == Approx(5.0));
-  camera.focus_distance = 2.0;
-  CHECK(focus_distance(camera) == 2.0);
+  CHECK(focus_distance(camera, std::nullopt) == Approx(5.0));
+  CHECK(focus_distance(camera, 2.0) == 2.0);
 }
 
 TEST_CASE("thin lens: a uniform background is as bright as through a pinhole") {

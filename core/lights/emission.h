@@ -1,0 +1,81 @@
+#pragma once
+
+#include "core/emitters/sampled_surface.h"
+#include "core/lights/emission_goals.h"
+#include "core/plan/plan.h"
+#include "core/sampling/sampler.h"
+#include "geometry/world.h"
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace abbe {
+
+/// The beginning of a light path.
+struct EmittedRay {
+  RayState state;
+  int source = 0;    ///< index into Plan::sources
+  double flux = 0.0; ///< per unit of the source's spectrum, over the pdf of the ray
+};
+
+/// A light that light paths begin at, and where it sends them: only into directions that hold
+/// something specular.
+class EmittingLight {
+public:
+  [[nodiscard]] int source() const { return source_; }
+  /// A ray of the light. Nothing where it sends no light.
+  [[nodiscard]] std::optional<EmittedRay> sample(const Sampler& sampler) const;
+
+private:
+  friend class Emission;
+  struct EmittingShape {
+    ShapeId shape;
+    SampledSurface surface;
+    bool one_sided = true;
+  };
+  using Origin = std::variant<const Light*, EmittingShape>;
+
+  [[nodiscard]] std::optional<EmittedRay> from(const Light* light, const Sampler& sampler) const;
+  [[nodiscard]] std::optional<EmittedRay> from(const EmittingShape& emitting,
+                                               const Sampler& sampler) const;
+  [[nodiscard]] Nesting nesting_of(const Light* light, const World& world) const;
+  [[nodiscard]] Nesting nesting_of(const EmittingShape& emitting, const World& world) const;
+
+  Origin origin_;
+  int source_ = 0;
+  EmissionGoals goals_;
+  double flux_ = 0.0; ///< mean over the bands
+  Nesting nesting_;   ///< solids around the light
+};
+
+/// All lights with something specular in their light.
+class Emission {
+public:
+  /// No lights.
+  Emission() = default;
+  /// Keeps references to the scene.
+  Emission(const Scene& scene, const Plan& plan);
+  /// Finds the solids around each light, before rays are asked for.
+  void place(const World& world);
+
+  [[nodiscard]] const std::vector<EmittingLight>& lights() const { return lights_; }
+  /// True when light paths begin at this shape.
+  [[nodiscard]] bool emits(ShapeId shape) const;
+
+  /// Everything that mirrors or refracts.
+  [[nodiscard]] const std::vector<EmissionTarget>& targets() const { return goals_.targets; }
+
+  /// How many of `paths` begin at each light: in proportion to flux, at least one each.
+  [[nodiscard]] std::vector<std::uint32_t> shares(std::uint32_t paths) const;
+
+private:
+  void add_lights(const Scene& scene, const Plan& plan);
+  void add_shapes(const Scene& scene, const Plan& plan);
+
+  EmissionGoals goals_;
+  std::vector<EmittingLight> lights_;
+  std::vector<bool> shape_emits_; ///< by ShapeId
+};
+
+} // namespace abbe

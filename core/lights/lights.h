@@ -1,0 +1,109 @@
+#pragma once
+
+#include "core/emitters/sampled_surface.h"
+#include "core/film/radiance_sums.h"
+#include "core/lights/light_disc.h"
+#include "geometry/ray_state.h"
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace abbe {
+
+/// A connection from a place to a light that may light it.
+struct LightSample {
+  dvec3 direction{0.0};  ///< unit, towards the light
+  double distance = 0.0; ///< infinite for parallel light
+  /// With which the direction was chosen, per steradian; 0 for lights without extent, which no ray
+  /// meets by chance.
+  double pdf = 0.0;
+  /// Factor on the source's spectrum: radiance over pdf; for lights without extent irradiance at
+  /// normal incidence over the chance of having chosen this light.
+  double weight = 0.0;
+  int source = 0;           ///< index into Plan::sources
+  bool environment = false; ///< the image's colour of this direction counts too
+};
+
+/// Everything that can be aimed at to light a place: the scene's lights, shapes whose material
+/// emits, and the environment. One of them is chosen in proportion to its power.
+class Lights {
+public:
+  /// Keeps references to both.
+  Lights(const Scene& scene, const Plan& plan);
+
+  [[nodiscard]] bool empty() const { return choices_.empty(); }
+  /// True when no number is needed to choose one.
+  [[nodiscard]] bool single() const { return choices_.size() == 1; }
+
+  /// A light (by `choice` in [0, 1)) and a point on it (by `u`), as seen from a place. Nothing
+  /// where it does not shine.
+  [[nodiscard]] std::optional<LightSample> sample(const dvec3& place, double choice,
+                                                  const dvec2& u) const;
+
+  /// The pdf, per steradian, with which `sample` would have chosen the direction from `place` to an
+  /// emitting surface that a ray met. 0 for surfaces that are not aimed at.
+  [[nodiscard]] double pdf(const dvec3& place, const Hit& hit) const;
+
+  /// Multiplies the light of a sample per band by what is not in its weight and its source: the
+  /// colour of an environment.
+  void tint(const LightSample& sample, int first, int last, float* light) const {
+    if (sample.environment) plan_.environment->scale(sample.direction, first, last, light);
+  }
+
+  /// Adds what a ray sees that leaves the scene along a unit direction: the background, the discs
+  /// of suns (unless they are found otherwise), and the environment, each weighed against `sample`
+  /// where the ray's direction was drawn with this pdf per steradian (0: it was not). The ray ends
+  /// there: its throughput is changed.
+  void add_sky(const dvec3& direction, double pdf, bool suns, float* throughput, int first,
+               int last, RadianceSums& sums) const;
+
+private:
+  /// A light of the scene that is seen in one direction.
+  struct PointOfLight {
+    const Light* light;
+  };
+  /// A shape's surface.
+  struct SurfaceLight {
+    SampledSurface surface;
+    bool solid; ///< it gives light off outwards only
+  };
+  struct EnvironmentLight {
+    const EnvironmentMap* map;
+  };
+  using Extent = std::variant<PointOfLight, LightDisc, SurfaceLight, EnvironmentLight>;
+
+  /// One of the lights that are chosen from.
+  struct Choice {
+    Extent extent;
+    int source = 0;
+    double power = 0.0;
+    double chance = 0.0;     ///< of being chosen
+    double cumulative = 0.0; ///< of this one and those before it
+  };
+
+  void add_lights();
+  void add_shapes();
+  void add_environment();
+  void share_chances();
+
+  // A sample of each kind of extent, given that it was chosen with this chance.
+  [[nodiscard]] static std::optional<LightSample> sample(const PointOfLight& light, double chance,
+                                                         const dvec3& place, const dvec2& u);
+  [[nodiscard]] static std::optional<LightSample> sample(const LightDisc& disc, double chance,
+                                                         const dvec3& place, const dvec2& u);
+  [[nodiscard]] static std::optional<LightSample> sample(const SurfaceLight& light, double chance,
+                                                         const dvec3& place, const dvec2& u);
+  [[nodiscard]] static std::optional<LightSample>
+  sample(const EnvironmentLight& light, double chance, const dvec3& place, const dvec2& u);
+
+  const Scene& scene_;
+  const Plan& plan_;
+  BandTable ones_;
+  std::vector<Choice> choices_;
+  std::vector<int> discs_;          ///< the choices that are discs
+  int environment_ = -1;            ///< the choice that is the environment; negative: none
+  std::vector<int> light_of_shape_; ///< by ShapeId; negative: none
+};
+
+} // namespace abbe
