@@ -41,8 +41,9 @@ World build_world(const Scene& scene) {
 
 Rendering render_once(const Scene& scene, const Plan& plan, const World& world, RayRecord* record,
                       bool keep_bands) {
-  const std::atomic<bool> never = false;
-  return render(scene, plan, world, keep_bands, {}, never, record);
+  return render(scene, plan, world,
+                keep_bands ? std::optional<BandPlace>(BandPlace{}) : std::nullopt,
+                {.record = record});
 }
 
 } // namespace abbe::bench

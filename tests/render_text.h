@@ -6,7 +6,7 @@
 #include "core/render/render.h"
 #include "io/scene_language/read_scene.h"
 
-#include <atomic>
+#include <optional>
 #include <string>
 
 namespace abbe::test {
@@ -35,8 +35,8 @@ inline Scene project_scene(const std::string& name, int size) {
 inline Rendering render_scene(const Scene& scene, bool keep_bands) {
   const Plan plan = make_plan(scene, scene.settings);
   const World world(scene.shapes, farthest_coordinate(scene));
-  const std::atomic<bool> never = false;
-  return render(scene, plan, world, keep_bands, {}, never);
+  return render(scene, plan, world,
+                keep_bands ? std::optional<BandPlace>(BandPlace{}) : std::nullopt);
 }
 
 } // namespace abbe::test

@@ -7,13 +7,6 @@
 namespace abbe {
 namespace {
 
-template <class Use>
-void for_each_pixel(const PixelWindow& window, const Use& use) {
-  for (int y = window.y0; y < window.y1; ++y)
-    for (int x = window.x0; x < window.x1; ++x)
-      use(x, y);
-}
-
 double square(double v) {
   return v * v;
 }

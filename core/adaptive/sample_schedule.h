@@ -4,6 +4,11 @@
 
 namespace abbe {
 
+/// Samples [first, last) of each pixel, in the mean where pixels differ.
+struct SampleRange {
+  int first = 0, last = 0;
+};
+
 /// When a rendering does what, in samples a pixel, in the mean where pixels differ. Samples are
 /// rendered in passes, so that a stopped picture is noisy but whole. With adaptive sampling some
 /// passes make a round: what its pixels get is decided at its beginning.

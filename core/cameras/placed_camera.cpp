@@ -1,5 +1,6 @@
 #include "core/cameras/placed_camera.h"
 
+#include <utility>
 #include <variant>
 
 namespace abbe {
@@ -33,6 +34,16 @@ Projection projection(const Scene& scene, int width, int height) {
   const ImageScale image{width, height, scene.mm_per_unit};
   return std::visit([&](const auto& kind) { return projection(kind, scene.camera, image); },
                     scene.camera.kind);
+}
+
+bool connects(const CameraKind& kind) {
+  return std::visit(
+      []<class Kind>(const Kind&) {
+        using Ready = decltype(place(std::declval<const Kind&>(), std::declval<const Camera&>(),
+                                     std::declval<const ImageScale&>()));
+        return Ready::kConnects;
+      },
+      kind);
 }
 
 double camera_reach(const Scene& scene) {

@@ -40,6 +40,9 @@ struct PlacedCamera {
 /// map.
 [[nodiscard]] Projection projection(const Scene& scene, int width, int height);
 
+/// True when light paths can be connected with cameras of this kind.
+[[nodiscard]] bool connects(const CameraKind& kind);
+
 /// How far from the eye camera rays may begin, in scene units.
 [[nodiscard]] double camera_reach(const Scene& scene);
 

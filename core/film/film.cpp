@@ -1,119 +1,164 @@
 #include "core/film/film.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <atomic>
-#include <bit>
+#include <cassert>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <stdexcept>
 #include <utility>
 
 namespace abbe {
 namespace {
 
-/// A sample that alone would overflow a sum.
-constexpr double kLargestSteps = 0x1p62;
-/// Splats are added without a lock: so many threads as there may be must fit above kLargestSteps.
-constexpr double kLargestSplat = 0x1p50;
+constexpr double kLightPassParts = 0x1p32;
 
-/// What a splat brings into memory of band sums in a file: about a page, whichever it is.
-constexpr std::size_t kTouchedBySplat = 4096 / sizeof(std::int64_t);
+std::vector<Layer> make_layers(std::vector<LayerForm> forms, std::size_t pixels,
+                               const BandPlace& place) {
+  std::vector<Layer> layers;
+  layers.reserve(forms.size());
+  for (LayerForm& form : forms)
+    layers.emplace_back(std::move(form), pixels, place);
+  return layers;
+}
 
-std::int64_t steps(double value, double quantum) {
-  return std::llround(value / quantum);
+bool has_strata(const std::vector<Layer>& layers) {
+  return std::ranges::any_of(layers, [](const Layer& l) { return l.form().strata; });
 }
 
 } // namespace
 
-Film::Film(PixelWindow window, double quantum, int bands, bool keep_errors, BandPlace place)
-    : window_(window), quantum_(quantum), bands_(bands), sums_(3 * window.pixel_count()),
-      first_sums_(keep_errors ? sums_.size() : 0), place_(std::move(place)),
-      band_sums_(make_band_sums()), counts_(window.pixel_count()), covered_(window.pixel_count()),
-      refused_(window.pixel_count()) {}
+std::vector<LayerForm> beauty_layers(const BeautyForm& form) {
+  LayerForm beauty{kBeauty, LayerKind::xyz, form.quantum, 0};
+  LayerForm bands{kBands, LayerKind::bands, form.quantum, form.bands};
+  LayerForm splats = beauty, band_splats = bands;
+  splats.name = kSplats;
+  band_splats.name = kBandSplats;
+  splats.mean = band_splats.mean = LayerMean::light_passes;
+  beauty.strata = form.errors;
 
-FileBackedSums Film::make_band_sums() const {
-  const std::size_t count = window_.pixel_count() * static_cast<std::size_t>(bands_);
-  const bool small = count * sizeof(std::int64_t) <= place_.largest_in_memory;
-  return small || place_.folder.empty() ? FileBackedSums(count)
-                                        : FileBackedSums(count, place_.folder);
+  std::vector<LayerForm> layers{beauty};
+  if (form.bands > 0) layers.push_back(bands);
+  if (form.splats) layers.push_back(splats);
+  if (form.splats && form.bands > 0) layers.push_back(band_splats);
+  return layers;
 }
 
-bool Film::accept(double value, std::size_t pixel) {
-  auto& tally = refused_[pixel];
-  if (!std::isfinite(value)) return ++tally[0], false;
-  if (value < 0.0) return ++tally[1], false;
-  if (value / quantum_ > kLargestSteps) return ++tally[2], false;
-  return true;
+Film::Film(PixelWindow window, std::vector<LayerForm> layers, const BandPlace& place)
+    : window_(window), layers_(make_layers(std::move(layers), window.pixel_count(), place)),
+      beauty_(find(kBeauty)), bands_(find(kBands)), splats_(find(kSplats)),
+      band_splats_(find(kBandSplats)), counts_(window.pixel_count()),
+      covered_(window.pixel_count()), strata_(has_strata(layers_) ? window.pixel_count() : 0) {
+  assert(layers_.size() <= std::numeric_limits<std::uint8_t>::max());
 }
 
-void Film::sum(std::int64_t& total, double value, std::size_t pixel) {
-  std::int64_t next = 0;
-  if (__builtin_add_overflow(total, steps(value, quantum_), &next)) {
-    ++refused_[pixel][2];
-    return;
+Film::Film(PixelWindow window, double quantum, int bands, bool keep_errors, const BandPlace& place)
+    : Film(window, beauty_layers({quantum, bands, keep_errors, false}), place) {}
+
+Film::Place Film::count(const FilmSample& sample) {
+  const std::size_t pixel = window_.index(sample.x, sample.y);
+  Stratum stratum = Stratum::second;
+  if (keeps_errors()) {
+    raise_boundary(pixel, strata_boundary(sample.index));
+    PixelStrata& strata = strata_[pixel];
+    stratum = strata.of(sample.index);
+    strata.first += stratum == Stratum::first ? 1u : 0u;
   }
-  total = next;
-}
-
-void Film::add(int x, int y, const Xyz& color, bool covered, std::span<const float> radiance) {
-  const std::size_t pixel = index(x, y);
-  if (keeps_errors() && std::has_single_bit(counts_[pixel]))
-    std::copy_n(sums_.data() + 3 * pixel, 3, first_sums_.data() + 3 * pixel);
   ++counts_[pixel];
-  covered_[pixel] += covered ? 1u : 0u;
-  if (!accept(color.x, pixel) || !accept(color.y, pixel) || !accept(color.z, pixel)) return;
-  sum(sums_[3 * pixel], color.x, pixel);
-  sum(sums_[3 * pixel + 1], color.y, pixel);
-  sum(sums_[3 * pixel + 2], color.z, pixel);
-  for (std::size_t b = 0; b < static_cast<std::size_t>(bands_); ++b)
-    if (accept(radiance[b], pixel))
-      sum(band_sums_[pixel * static_cast<std::size_t>(bands_) + b], radiance[b], pixel);
+  covered_[pixel] += sample.covered ? 1u : 0u;
+  return {pixel, stratum};
 }
 
-void Film::enable_splats() {
-  splats_.resize(sums_.size());
-  band_splats_ = make_band_sums();
+void Film::raise_boundary(std::size_t pixel, std::uint32_t boundary) {
+  if (boundary <= strata_[pixel].boundary) return;
+  strata_[pixel] = {boundary, counts_[pixel]};
+  for (Layer& layer : layers_)
+    if (layer.form().strata) layer.close_first_stratum(pixel);
 }
 
-/// Integers may be added in any order. A sum that has come near its end takes no more.
-void Film::splat(std::int64_t& total, double value, double u) {
-  const auto refuse = [](std::uint64_t& tally) {
-    std::atomic_ref(tally).fetch_add(1, std::memory_order_relaxed);
-  };
-  if (!std::isfinite(value)) return refuse(refused_splats_.not_finite);
-  if (value < 0.0) return refuse(refused_splats_.negative);
-  const std::atomic_ref sum(total);
-  if (value / quantum_ > kLargestSplat ||
-      static_cast<double>(sum.load(std::memory_order_relaxed)) > kLargestSteps)
-    return refuse(refused_splats_.overflow);
-  sum.fetch_add(static_cast<std::int64_t>(std::floor(value / quantum_ + u)),
-                std::memory_order_relaxed);
+void Film::add(const FilmSample& sample, const Xyz& color, std::span<const float> radiance) {
+  const Place place = count(sample);
+  if (add(*beauty_, place, color) && bands_) add(*bands_, place, radiance);
 }
 
 void Film::add_splat(int x, int y, const Xyz& color, std::span<const float> radiance, double u) {
-  const std::size_t pixel = index(x, y);
-  const auto round = [&](std::int64_t& total, double value) {
-    splat(total, value, u);
-    u += 1.0 / std::numbers::phi; // the next value is rounded on its own
-    u -= std::floor(u);
-  };
-  round(splats_[3 * pixel], color.x);
-  round(splats_[3 * pixel + 1], color.y);
-  round(splats_[3 * pixel + 2], color.z);
-  for (std::size_t b = 0; b < static_cast<std::size_t>(bands_); ++b)
-    round(band_splats_[pixel * static_cast<std::size_t>(bands_) + b], radiance[b]);
-  if (bands_ > 0) band_splats_.touched(kTouchedBySplat);
+  assert(splats_);
+  const std::size_t pixel = window_.index(x, y);
+  at(*splats_).splat(pixel, color, u, refused_);
+  if (band_splats_) at(*band_splats_).splat(pixel, radiance, u, refused_);
 }
 
-double Film::mean(std::int64_t sum, std::size_t pixel) const {
-  return counts_[pixel] ? static_cast<double>(sum) * quantum_ / counts_[pixel] : 0.0;
+void Film::add_light_passes(double passes) {
+  light_passes_ += std::llround(passes * kLightPassParts);
+}
+
+double Film::light_passes() const {
+  return static_cast<double>(light_passes_) / kLightPassParts;
+}
+
+void Film::touched(std::size_t pixels) const {
+  for (const Layer& layer : layers_)
+    layer.touched(pixels);
+}
+
+std::optional<LayerId> Film::find(std::string_view name) const {
+  for (std::size_t i = 0; i < layers_.size(); ++i)
+    if (layers_[i].form().name == name) return static_cast<LayerId>(i);
+  return std::nullopt;
+}
+
+double Film::count(const Layer& layer, std::size_t pixel) const {
+  switch (layer.form().mean) {
+  case LayerMean::samples:
+    return counts_[pixel];
+  case LayerMean::covered_samples:
+    return covered_[pixel];
+  case LayerMean::light_passes:
+    return light_passes();
+  }
+  return 0.0;
+}
+
+double Film::mean(const Layer& layer, std::size_t pixel, std::size_t value) const {
+  const double n = count(layer, pixel);
+  const auto sum = static_cast<double>(layer.sum(pixel, value));
+  return n > 0.0 ? sum * layer.form().quantum / n : 0.0;
+}
+
+Xyz Film::mean_color(const Layer& layer, std::size_t pixel) const {
+  const double n = count(layer, pixel), quantum = layer.form().quantum;
+  if (!(n > 0.0)) return {0.0, 0.0, 0.0};
+  const auto value = [&](std::size_t i) {
+    return static_cast<double>(layer.sum(pixel, i)) * quantum / n;
+  };
+  return {value(0), value(1), value(2)};
+}
+
+double Film::mean(LayerId id, int x, int y, std::size_t value) const {
+  return mean(layer(id), window_.index(x, y), value);
+}
+
+int Film::bands() const {
+  return bands_ ? layer(*bands_).form().bands : 0;
 }
 
 Xyz Film::color(int x, int y) const {
-  const std::size_t p = index(x, y);
-  return {mean(sums_[3 * p], p) + splat_mean(splats_, 3 * p),
-          mean(sums_[3 * p + 1], p) + splat_mean(splats_, 3 * p + 1),
-          mean(sums_[3 * p + 2], p) + splat_mean(splats_, 3 * p + 2)};
+  const std::size_t pixel = window_.index(x, y);
+  const Xyz color = mean_color(layer(*beauty_), pixel);
+  return splats_ ? color + mean_color(layer(*splats_), pixel) : color;
+}
+
+double Film::radiance(int x, int y, int band) const {
+  const std::size_t pixel = window_.index(x, y);
+  const auto b = static_cast<std::size_t>(band);
+  return mean(layer(*bands_), pixel, b) +
+         (band_splats_ ? mean(layer(*band_splats_), pixel, b) : 0.0);
+}
+
+double Film::alpha(int x, int y) const {
+  const std::uint32_t n = samples(x, y);
+  return n > 0 ? static_cast<double>(covered_samples(x, y)) / n : 0.0;
 }
 
 Xyz Film::error(int x, int y) const {
@@ -122,38 +167,74 @@ Xyz Film::error(int x, int y) const {
 }
 
 Xyz Film::signed_error(int x, int y) const {
-  const std::size_t p = index(x, y);
-  const std::uint32_t n = counts_[p];
+  const std::size_t pixel = window_.index(x, y);
+  const Layer& beauty = layer(*beauty_);
+  const double n = counts_[pixel], a = strata_[pixel].first, b = n - a;
   constexpr double unknown = std::numeric_limits<double>::infinity();
-  if (n < 2) return {unknown, unknown, unknown};
-  const double a = std::bit_floor(n - 1), b = n - a;
+  if (a == 0.0 || b == 0.0) return {unknown, unknown, unknown};
+  const double scale = std::sqrt(a * b) / n * beauty.form().quantum;
   const auto error = [&](std::size_t i) {
-    const auto first = static_cast<double>(first_sums_[i]);
-    const double rest = static_cast<double>(sums_[i] - first_sums_[i]);
-    return std::sqrt(a * b) / n * quantum_ * (first / a - rest / b);
+    const auto first = static_cast<double>(beauty.first_sum(pixel, i));
+    const auto second = static_cast<double>(beauty.sum(pixel, i) - beauty.first_sum(pixel, i));
+    return scale * (first / a - second / b);
   };
-  return {error(3 * p), error(3 * p + 1), error(3 * p + 2)};
+  return {error(0), error(1), error(2)};
 }
 
-double Film::alpha(int x, int y) const {
-  const std::size_t p = index(x, y);
-  return counts_[p] ? static_cast<double>(covered_[p]) / counts_[p] : 0.0;
-}
+namespace {
 
-double Film::radiance(int x, int y, int band) const {
-  const std::size_t p = index(x, y);
-  const std::size_t i = p * static_cast<std::size_t>(bands_) + static_cast<std::size_t>(band);
-  return mean(band_sums_[i], p) + splat_mean(band_splats_, i);
-}
-
-Film::Refused Film::refused() const {
-  Refused total = refused_splats_;
-  for (const auto& tally : refused_) {
-    total.not_finite += tally[0];
-    total.negative += tally[1];
-    total.overflow += tally[2];
+/// Says in what two films do not fit together; empty where they do.
+std::string misfit(const Film& a, const Film& b) {
+  const auto text = [](const PixelWindow& w) {
+    return fmt::format("{} {} {} {}", w.x0, w.y0, w.x1, w.y1);
+  };
+  if (a.window() != b.window())
+    return fmt::format("one shows the pixels {}, the other {}", text(a.window()), text(b.window()));
+  if (a.layer_count() != b.layer_count())
+    return fmt::format("one has {} layers, the other {}", a.layer_count(), b.layer_count());
+  for (std::size_t i = 0; i < a.layer_count(); ++i) {
+    const LayerForm& f = a.layer(static_cast<LayerId>(i)).form();
+    const LayerForm& g = b.layer(static_cast<LayerId>(i)).form();
+    if (f.name != g.name)
+      return fmt::format("one has a layer {} where the other has {}", f.name, g.name);
+    if (f.quantum != g.quantum)
+      return fmt::format("their layers {} count in steps of {} and {}", f.name, f.quantum,
+                         g.quantum);
+    if (!(f == g)) return fmt::format("their layers {} are not of one form", f.name);
   }
-  return total;
+  return "";
+}
+
+} // namespace
+
+void Film::merge_pixel(const Film& other, std::size_t pixel) {
+  bool all_first = false;
+  if (keeps_errors()) {
+    const PixelStrata& theirs = other.strata_[pixel];
+    raise_boundary(pixel, theirs.boundary);
+    all_first = theirs.boundary < strata_[pixel].boundary;
+    strata_[pixel].first += all_first ? other.counts_[pixel] : theirs.first;
+  }
+  for (std::size_t i = 0; i < layers_.size(); ++i)
+    layers_[i].merge(other.layers_[i], pixel, all_first, refused_);
+  counts_[pixel] += other.counts_[pixel];
+  covered_[pixel] += other.covered_[pixel];
+}
+
+void merge(Film& film, const Film& other) {
+  if (const std::string reason = misfit(film, other); !reason.empty())
+    throw std::invalid_argument(fmt::format("these films cannot be merged: {}", reason));
+  const auto width = static_cast<std::size_t>(film.window_.width());
+  for (std::size_t pixel = 0; pixel < film.counts_.size(); ++pixel) {
+    film.merge_pixel(other, pixel);
+    if ((pixel + 1) % width != 0) continue;
+    film.touched(width);
+    other.touched(width);
+  }
+  film.light_passes_ += other.light_passes_;
+  film.refused_.not_finite += other.refused_.not_finite;
+  film.refused_.negative += other.refused_.negative;
+  film.refused_.overflow += other.refused_.overflow;
 }
 
 } // namespace abbe

@@ -1,117 +1,149 @@
 #pragma once
 
-#include "core/film/file_backed_sums.h"
+#include "core/film/layer.h"
+#include "core/film/strata.h"
 #include "core/scene/pixel_window.h"
 #include "spectral/color.h"
 
-#include <array>
 #include <cstdint>
-#include <filesystem>
+#include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace abbe {
 
-/// Where a film keeps the sums of bands: more than `largest_in_memory` bytes of them in a file in
-/// `folder`, unless that is empty.
-struct BandPlace {
-  std::filesystem::path folder = {};
-  std::size_t largest_in_memory = std::size_t{512} << 20;
+/// Which camera sample of which pixel. The index is the sampler's.
+struct FilmSample {
+  int x, y;
+  std::uint32_t index;
+  bool covered; ///< it met a surface
 };
 
-/// Sums of camera samples. They are integers, multiples of a power-of-two quantum, so their value
-/// does not depend on the order in which threads add.
+/// The number of a layer of a film.
+enum class LayerId : std::uint8_t {};
+
+/// The layers that the picture itself is made of: the colours of camera samples (`kBeauty`), their
+/// bands where these are kept, and the splats of light paths, which have a count of their own.
+struct BeautyForm {
+  double quantum = 1.0;
+  int bands = 0;       ///< 0 for colours alone, else the number of bands that are kept too
+  bool errors = false; ///< the film keeps what `error` needs
+  bool splats = false; ///< light paths add to the film
+};
+[[nodiscard]] std::vector<LayerForm> beauty_layers(const BeautyForm& form);
+inline constexpr const char* kBeauty = "beauty";
+inline constexpr const char* kBands = "bands";
+inline constexpr const char* kSplats = "beauty.splats";
+inline constexpr const char* kBandSplats = "bands.splats";
+
+/// Named sums of what the samples of each pixel bring. All sums and counts are integers, and where
+/// a sample belongs follows from its index, so a film does not depend on the order in which samples
+/// come, nor on the films over which they were spread before these were merged.
 class Film {
 public:
-  /// `bands` is 0 for XYZ alone, else the number of bands whose sums are kept too, 8 bytes more per
-  /// pixel and band. With `keep_errors` the film keeps what `error` needs, 24 bytes more per pixel
-  /// besides its 44. Errors: those of FileBackedSums.
+  /// A film takes 8 bytes a pixel for its counts, 8 more where a layer has strata, and 8 for each
+  /// sum. Layers have names of their own. Errors: those of FileBackedSums.
+  Film(PixelWindow window, std::vector<LayerForm> layers, const BandPlace& place = {});
+  /// The layers of the beauty, without splats.
   Film(PixelWindow window, double quantum, int bands, bool keep_errors = false,
-       BandPlace place = {});
+       const BandPlace& place = {});
 
-  /// Adds one sample of a pixel inside the window; those of a pixel come in the sampler's order.
-  /// `radiance` holds one value per band when the film keeps bands. Values that are not finite,
-  /// negative ones and overflows are counted and left out: they add nothing, though their sample
-  /// counts. One pixel must not be added to by two threads at once.
-  void add(int x, int y, const Xyz& color, bool covered, std::span<const float> radiance);
+  /// Adds a sample's beauty. `radiance` holds one value per band when the film keeps bands.
+  /// What a layer refuses adds nothing, though the sample counts; bands come with their colour or
+  /// not at all. Two threads must not add to one pixel at once.
+  void add(const FilmSample& sample, const Xyz& color, std::span<const float> radiance);
 
-  /// Tells that so many pixels' bands were added to or read, so that a file's do not fill the
-  /// memory. Any number of threads may tell.
-  void touched_bands(std::size_t pixels) const {
-    band_sums_.touched(pixels * static_cast<std::size_t>(bands_));
+  /// Where the values of a sample go that has been counted.
+  struct Place {
+    std::size_t pixel;
+    Stratum stratum;
+  };
+  /// Counts a sample, which its values need before they can be added to layers one by one.
+  Place count(const FilmSample& sample);
+  bool add(LayerId layer, const Place& place, const Xyz& color) {
+    return at(layer).add(place.pixel, place.stratum, color, refused_);
+  }
+  bool add(LayerId layer, const Place& place, double value) {
+    return at(layer).add(place.pixel, place.stratum, value, refused_);
+  }
+  void add(LayerId layer, const Place& place, std::span<const float> radiance) {
+    at(layer).add(place.pixel, place.stratum, radiance, refused_);
+  }
+  void add_id(LayerId layer, const Place& place, std::uint32_t id) {
+    at(layer).add_id(place.pixel, id);
   }
 
-  /// Makes room for splats.
-  void enable_splats();
   /// Adds what a light path brings to a pixel inside the window, as a mean over the light paths of
   /// one pass. Any number of threads may add at once. The random number `u` in [0, 1) rounds it up
-  /// or down, so that the mean is right for splats that are much smaller than the quantum.
+  /// or down, so that the mean is right for splats that are much smaller than the quantum. The film
+  /// must have splats.
   void add_splat(int x, int y, const Xyz& color, std::span<const float> radiance, double u);
-  /// Counts the light paths whose splats were added, in passes.
-  void add_light_passes(double passes) { light_passes_ += passes; }
+  /// Counts the light paths whose splats were added, in passes; parts of a pass are rounded to
+  /// 2^-32.
+  void add_light_passes(double passes);
+
+  /// Tells that so many pixels' sums were added to or read, so that those in a file do not fill the
+  /// memory. Any number of threads may tell.
+  void touched(std::size_t pixels) const;
 
   [[nodiscard]] const PixelWindow& window() const { return window_; }
-  [[nodiscard]] int bands() const { return bands_; }
+  [[nodiscard]] std::size_t layer_count() const { return layers_.size(); }
+  [[nodiscard]] std::optional<LayerId> find(std::string_view name) const;
+  [[nodiscard]] const Layer& layer(LayerId id) const { return layers_[number(id)]; }
+  /// One of a pixel's values, as the layer's mean; 0 where there is nothing to take a mean of.
+  [[nodiscard]] double mean(LayerId id, int x, int y, std::size_t value = 0) const;
+  [[nodiscard]] std::uint32_t samples(int x, int y) const { return counts_[window_.index(x, y)]; }
+  [[nodiscard]] std::uint32_t covered_samples(int x, int y) const {
+    return covered_[window_.index(x, y)];
+  }
+  /// How the pixel's samples are divided; the film must keep errors.
+  [[nodiscard]] const PixelStrata& strata(int x, int y) const {
+    return strata_[window_.index(x, y)];
+  }
+  [[nodiscard]] double light_passes() const;
+  [[nodiscard]] const RefusedValues& refused() const { return refused_; }
 
-  // Means over the samples of a pixel, and splats over the light passes; 0 where there is none.
+  // The beauty: means over the samples of a pixel, and splats over the light passes.
+  [[nodiscard]] int bands() const;
   [[nodiscard]] Xyz color(int x, int y) const;
   [[nodiscard]] double alpha(int x, int y) const;
   [[nodiscard]] double radiance(int x, int y, int band) const;
-  [[nodiscard]] bool keeps_errors() const { return !first_sums_.empty(); }
-  /// The standard error of `color`, estimated from the difference of two parts of the pixel's n
-  /// samples: the first a, where a is the largest power of two below n, and the other b = n - a.
-  /// For parts with means A and B it is sqrt(a b) / n |A - B|, half the difference of equal halves.
-  /// Infinite with fewer than two samples. One degree of freedom: good in the mean over many
-  /// pixels only. The film must keep errors.
-  ///
-  /// Such parts, and not odd and even samples, are each as evenly spread as the sampler's
-  /// sequences are [Burley20]; docs/decisions/noise.md tells how much too large that is.
+  [[nodiscard]] bool keeps_errors() const { return !strata_.empty(); }
+  /// The standard error of `color`, estimated from the difference of the pixel's two strata. With a
+  /// and b of its n samples and the means A and B it is sqrt(a b) / n |A - B|, half the difference
+  /// of equal halves. Infinite where a stratum is empty, as with fewer than two samples. One degree
+  /// of freedom: good in the mean over many pixels only. The film must keep errors.
   [[nodiscard]] Xyz error(int x, int y) const;
   /// The same with the sign of A - B, so that it is linear in the samples: its linear R, G, B are
   /// those of the pixel's error.
   [[nodiscard]] Xyz signed_error(int x, int y) const;
-  [[nodiscard]] std::uint32_t samples(int x, int y) const { return counts_[index(x, y)]; }
-
-  /// Samples that were refused.
-  struct Refused {
-    std::uint64_t not_finite = 0, negative = 0, overflow = 0;
-  };
-  [[nodiscard]] Refused refused() const;
 
 private:
-  [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y - window_.y0) * static_cast<std::size_t>(window_.width()) +
-           static_cast<std::size_t>(x - window_.x0);
-  }
-  /// True when the value can be summed; else the pixel's tally of refused samples grows.
-  bool accept(double value, std::size_t pixel);
-  void sum(std::int64_t& total, double value, std::size_t pixel);
-  void splat(std::int64_t& total, double value, double u);
-  [[nodiscard]] double mean(std::int64_t sum, std::size_t pixel) const;
-  /// Entry `i` of splats, as a mean; 0 where there are none.
-  template <class Sums>
-  [[nodiscard]] double splat_mean(const Sums& splats, std::size_t i) const {
-    return splats.empty() || light_passes_ == 0.0
-               ? 0.0
-               : static_cast<double>(splats[i]) * quantum_ / light_passes_;
-  }
-  /// Sums of all bands of all pixels.
-  [[nodiscard]] FileBackedSums make_band_sums() const;
+  friend void merge(Film& film, const Film& other);
+  static std::size_t number(LayerId id) { return static_cast<std::size_t>(id); }
+  [[nodiscard]] Layer& at(LayerId id) { return layers_[number(id)]; }
+  /// Moves the boundary between the pixel's strata, if it is not there already.
+  void raise_boundary(std::size_t pixel, std::uint32_t boundary);
+  void merge_pixel(const Film& other, std::size_t pixel);
+  /// What the sums of a pixel in this layer are divided by.
+  [[nodiscard]] double count(const Layer& layer, std::size_t pixel) const;
+  [[nodiscard]] double mean(const Layer& layer, std::size_t pixel, std::size_t value) const;
+  [[nodiscard]] Xyz mean_color(const Layer& layer, std::size_t pixel) const;
 
   PixelWindow window_;
-  double quantum_;
-  int bands_;
-  std::vector<std::int64_t> sums_;       ///< X, Y, Z per pixel
-  std::vector<std::int64_t> first_sums_; ///< X, Y, Z of the first part of the samples
-  BandPlace place_;
-  FileBackedSums band_sums_;         ///< per pixel, per band
-  std::vector<std::int64_t> splats_; ///< as sums_; empty until asked for
-  FileBackedSums band_splats_;       ///< as band_sums_; empty until asked for
-  double light_passes_ = 0.0;
-  Refused refused_splats_;
-  std::vector<std::uint32_t> counts_;                 ///< samples per pixel
-  std::vector<std::uint32_t> covered_;                ///< samples that met a surface
-  std::vector<std::array<std::uint32_t, 3>> refused_; ///< per pixel, so that threads do not share
+  std::vector<Layer> layers_;
+  std::optional<LayerId> beauty_, bands_, splats_, band_splats_;
+  std::vector<std::uint32_t> counts_;  ///< samples per pixel
+  std::vector<std::uint32_t> covered_; ///< of these, those that met a surface
+  std::vector<PixelStrata> strata_;    ///< per pixel; empty where no layer has strata
+  std::int64_t light_passes_ = 0;      ///< in parts of 2^-32
+  RefusedValues refused_;
 };
+
+/// Adds what another film holds. Exact, and the same in any order, for films whose samples differ.
+/// Sums that would overflow stay as they are and count as refused. Errors: std::invalid_argument,
+/// which says in what the films do not fit together.
+void merge(Film& film, const Film& other);
 
 } // namespace abbe

@@ -13,13 +13,6 @@ PixelWindow full_window(const Plan& plan) {
   return {0, 0, plan.settings.width, plan.settings.height};
 }
 
-template <class Use>
-void for_each_pixel(const PixelWindow& window, const Use& use) {
-  for (int y = window.y0; y < window.y1; ++y)
-    for (int x = window.x0; x < window.x1; ++x)
-      use(x, y);
-}
-
 /// As colourspaces.csv calls it.
 const char* name(SceneLinearSpace space) {
   switch (space) {
@@ -190,7 +183,7 @@ SpectralImage develop_spectral(const Film& film, const Plan& plan, const PixelWi
           static_cast<float>(film.radiance(x, y, b));
     ++pixel;
   });
-  film.touched_bands(pixels);
+  film.touched(pixels);
   return image;
 }
 

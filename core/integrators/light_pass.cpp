@@ -16,78 +16,115 @@
 namespace abbe {
 namespace {
 
-/// Paths that one task follows; their photons are kept in the order of their numbers.
+/// The paths of a chunk; their photons are kept in the order of their numbers.
 constexpr std::uint32_t kChunk = 2048;
 
 /// Light paths that fill the photon map of one pass; what more there are add splats only.
 constexpr std::uint32_t kMostMapped = 1u << 15;
 
-/// A run of one emitter's paths.
-struct Chunk {
-  std::size_t emitter;
-  std::uint32_t first, last; ///< numbers among the emitter's paths of this pass
-};
-
 /// The first pass's radius is at most this part of the scene's size, unless the settings give it.
 constexpr double kLargestPart = 1.0 / 64.0;
+
+/// The part of the current pass whose splats are in the film: whole multiples of 2^-32, as the film
+/// counts, so that what is added from run to run is 1 in the end.
+double part_in_film(const LightPassState& state) {
+  const auto chunks = static_cast<double>(state.is_in_film.size());
+  const auto in_film = static_cast<double>(
+      std::count(state.is_in_film.begin(), state.is_in_film.end(), std::uint8_t{1}));
+  return std::round(0x1p32 * in_film / chunks) * 0x1p-32;
+}
 
 } // namespace
 
 LightPasses::LightPasses(const Scene& scene, const Plan& plan, const World& world,
-                         const PlacedCamera* camera, Film& film)
-    : plan_(plan), world_(world), camera_(camera), film_(film),
+                         const PlacedCamera* camera)
+    : plan_(plan), world_(world), camera_(camera),
       emission_(plan.caustics ? Emission(scene, plan) : Emission()), map_(camera != nullptr),
-      largest_radius_(kLargestPart * scene_size(scene)), first_radius_(plan.settings.photon_radius),
-      begun_(emission_.lights().size(), 0) {
-  if (!needed()) return;
-  emission_.place(world);
-  if (camera_) film.enable_splats();
+      largest_radius_(kLargestPart * scene_size(scene)) {
+  if (needed()) emission_.place(world);
 }
 
-RayCounts LightPasses::run(int pass, int samples, const std::atomic<bool>& stop,
-                           RayRecord* record) {
-  const auto begin = std::chrono::steady_clock::now();
-  const double wanted =
-      plan_.settings.light_paths * samples * static_cast<double>(plan_.window.pixel_count());
-  const auto paths = static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 0x1p30));
-  const std::vector<std::uint32_t> shares = emission_.shares(paths);
-  const std::vector<std::uint32_t> mapped = emission_.shares(std::min(paths, kMostMapped));
-  std::vector<Chunk> chunks;
-  for (std::size_t e = 0; e < shares.size(); ++e)
-    for (std::uint32_t i = 0; i < shares[e]; i += kChunk)
-      chunks.push_back({e, i, std::min(i + kChunk, shares[e])});
+LightPasses::Paths LightPasses::paths_of(SampleRange samples) const {
+  const double wanted = plan_.settings.light_paths * (samples.last - samples.first) *
+                        static_cast<double>(plan_.window.pixel_count());
+  const auto count = static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 0x1p30));
+  Paths paths{emission_.shares(count), emission_.shares(std::min(count, kMostMapped)), {}};
+  for (std::size_t e = 0; e < paths.shares.size(); ++e)
+    for (std::uint32_t i = 0; i < paths.shares[e]; i += kChunk)
+      paths.chunks.push_back({e, i, std::min(i + kChunk, paths.shares[e])});
+  return paths;
+}
 
-  std::vector<PhotonBatch> batches(chunks.size());
-  std::vector<RayCounts> counts(chunks.size());
-  std::atomic<std::size_t> done = 0;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks.size(), 1), [&](const auto& range) {
+void LightPasses::begin(LightPassState& state, SampleRange samples) const {
+  state.begun.resize(emission_.lights().size(), 0);
+  if (state.passes > 0) {
+    const Paths ended = paths_of(state.samples);
+    for (std::size_t e = 0; e < state.begun.size(); ++e)
+      state.begun[e] += ended.shares[e];
+  } else {
+    state.first_radius = plan_.settings.photon_radius;
+  }
+  ++state.passes;
+  state.samples = samples;
+  state.is_in_film.assign(paths_of(samples).chunks.size(), 0);
+}
+
+void LightPasses::follow(const Chunk& chunk, const Paths& paths, const LightPassState& state,
+                         Film& film, const Found& found) const {
+  const std::size_t e = chunk.emitter;
+  LightPaths walker(plan_, world_, emission_, camera_, film);
+  for (std::uint32_t i = chunk.first; i < chunk.last; ++i) {
+    const Sampler sampler(~static_cast<int>(e), 0, state.begun[e] + i, plan_.settings.seed);
+    const auto ray = emission_.lights()[e].sample(sampler);
+    if (!ray) continue;
+    const bool keeps = i < paths.mapped[e];
+    walker.trace(*ray, sampler, 1.0 / paths.shares[e], keeps ? &found.photons : nullptr,
+                 1.0 / std::min(paths.mapped[e], paths.shares[e]), found.counts);
+  }
+}
+
+LightPasses::Followed LightPasses::follow_chunks(const Paths& paths, LightPassState& state,
+                                                 Film& film, const std::atomic<bool>& stop,
+                                                 RayRecord* record) const {
+  const std::size_t count = paths.chunks.size();
+  Film nowhere({}, {}); // it has no pixels, so that splats fall beside it
+  Followed result{std::vector<PhotonBatch>(count), {}, false};
+  std::vector<RayCounts> counts(count);
+  std::atomic<std::size_t> followed = 0;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [&](const auto& range) {
     const DenormalsOff denormals_off;
-    LightPaths walker(plan_, world_, emission_, camera_, film_);
     for (std::size_t c = range.begin(); c < range.end() && !stop; ++c) {
-      const Chunk& chunk = chunks[c];
-      const std::size_t e = chunk.emitter;
+      const bool known = state.is_in_film[c] != 0;
+      Chunk chunk = paths.chunks[c];
+      if (known) chunk.last = std::min(chunk.last, paths.mapped[chunk.emitter]);
       counts[c].record = record;
-      for (std::uint32_t i = chunk.first; i < chunk.last; ++i) {
-        const Sampler sampler(~static_cast<int>(e), 0, begun_[e] + i, plan_.settings.seed);
-        const auto ray = emission_.lights()[e].sample(sampler);
-        if (!ray) continue;
-        const bool keeps = i < mapped[e];
-        walker.trace(*ray, sampler, 1.0 / shares[e], keeps ? &batches[c] : nullptr,
-                     1.0 / std::min(mapped[e], shares[e]), counts[c]);
-      }
-      ++done;
+      follow(chunk, paths, state, known ? nowhere : film, {result.batches[c], counts[c]});
+      if (known) counts[c] = {};
+      state.is_in_film[c] = 1;
+      ++followed;
     }
   });
-  film_.add_light_passes(static_cast<double>(done) / static_cast<double>(chunks.size()));
-  for (std::size_t e = 0; e < shares.size(); ++e)
-    begun_[e] += shares[e];
-  if (!(first_radius_ > 0.0)) first_radius_ = first_photon_radius(batches, largest_radius_);
-  map_.build(batches, photon_radius(first_radius_, pass));
-  RayCounts total;
   for (const RayCounts& c : counts)
-    total += c;
+    result.rays += c;
+  result.all = followed == count;
+  return result;
+}
+
+RayCounts LightPasses::run(LightPassState& state, Film& film, const std::atomic<bool>& stop,
+                           RayRecord* record) {
+  if (mapped_pass_ == state.passes) return {};
+  const auto begin = std::chrono::steady_clock::now();
+  const double before = part_in_film(state);
+  Followed followed = follow_chunks(paths_of(state.samples), state, film, stop, record);
+  film.add_light_passes(part_in_film(state) - before);
+  if (followed.all) {
+    if (!(state.first_radius > 0.0))
+      state.first_radius = first_photon_radius(followed.batches, largest_radius_);
+    map_.build(followed.batches, photon_radius(state.first_radius, state.passes - 1));
+    mapped_pass_ = state.passes;
+  }
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return total;
+  return followed.rays;
 }
 
 } // namespace abbe

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/adaptive/sample_schedule.h"
 #include "core/bundles/statistics.h"
 #include "core/cameras/placed_camera.h"
 #include "core/film/film.h"
@@ -7,8 +8,21 @@
 #include "core/lights/emission.h"
 
 #include <atomic>
+#include <cstdint>
+#include <vector>
 
 namespace abbe {
+
+/// How far the light passes of a rendering have come. With the film it is all that is needed to go
+/// on: the photon map is filled anew by the same paths.
+struct LightPassState {
+  int passes = 0;                   ///< that have begun
+  SampleRange samples;              ///< camera samples that the current pass is for
+  std::vector<std::uint32_t> begun; ///< by emitter: paths of the passes before the current one
+  std::vector<std::uint8_t>
+      is_in_film;            ///< by chunk of the current pass: its splats are in the film
+  double first_radius = 0.0; ///< of the photon map in the first pass; 0: not known yet
+};
 
 /// Light-side passes of a rendering: before each pass of camera samples as many light paths are
 /// followed as the plan says; they add splats to the film and fill the photon map anew.
@@ -16,8 +30,7 @@ class LightPasses {
 public:
   /// Keeps references. `camera` is null where it cannot be connected with; camera paths then look
   /// up photons where light paths would have been splatted.
-  LightPasses(const Scene& scene, const Plan& plan, const World& world, const PlacedCamera* camera,
-              Film& film);
+  LightPasses(const Scene& scene, const Plan& plan, const World& world, const PlacedCamera* camera);
 
   /// True when there is something to do; then `map` and `emission` are what camera paths need.
   [[nodiscard]] bool needed() const { return !emission_.lights().empty(); }
@@ -26,20 +39,52 @@ public:
   /// How long the passes have taken.
   [[nodiscard]] double seconds() const { return seconds_; }
 
-  /// Runs pass number `pass` for `samples` camera samples a pixel, within the current task arena.
-  /// Setting `stop` ends it soon.
-  RayCounts run(int pass, int samples, const std::atomic<bool>& stop, RayRecord* record);
+  /// Ends the current pass, if there is one, and begins the next, for these camera samples.
+  void begin(LightPassState& state, SampleRange samples) const;
+  /// Runs the current pass within the current task arena, unless the map holds its photons already.
+  /// Splats that the film has already, because an earlier run was stopped or its map is gone, are
+  /// not added again, and the rays that led to them not counted again. Setting `stop` ends the run
+  /// soon; then the map does not hold the pass.
+  RayCounts run(LightPassState& state, Film& film, const std::atomic<bool>& stop,
+                RayRecord* record);
 
 private:
+  /// A run of one emitter's paths, which one task follows.
+  struct Chunk {
+    std::size_t emitter;
+    std::uint32_t first, last; ///< numbers among the emitter's paths of this pass
+  };
+  /// The paths of one pass.
+  struct Paths {
+    std::vector<std::uint32_t> shares; ///< by emitter: how many begin there
+    std::vector<std::uint32_t> mapped; ///< by emitter: how many of these fill the map
+    std::vector<Chunk> chunks;
+  };
+  [[nodiscard]] Paths paths_of(SampleRange samples) const;
+  /// Where what a chunk's paths find goes, beside their splats.
+  struct Found {
+    PhotonBatch& photons;
+    RayCounts& counts;
+  };
+  void follow(const Chunk& chunk, const Paths& paths, const LightPassState& state, Film& film,
+              const Found& found) const;
+  /// What all chunks have found, in their order.
+  struct Followed {
+    std::vector<PhotonBatch> batches;
+    RayCounts rays;
+    bool all; ///< none was left out by a stop
+  };
+  [[nodiscard]] Followed follow_chunks(const Paths& paths, LightPassState& state, Film& film,
+                                       const std::atomic<bool>& stop, RayRecord* record) const;
+
   const Plan& plan_;
   const World& world_;
   const PlacedCamera* camera_;
-  Film& film_;
   Emission emission_;
   PhotonMap map_;
-  double largest_radius_, first_radius_; ///< 0: not known yet
+  double largest_radius_;
+  int mapped_pass_ = 0; ///< the number, from 1, of the pass whose photons the map holds
   double seconds_ = 0.0;
-  std::vector<std::uint32_t> begun_; ///< by emitter: paths of earlier passes
 };
 
 } // namespace abbe

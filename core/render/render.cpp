@@ -2,10 +2,7 @@
 
 #include "core/adaptive/noise.h"
 #include "core/adaptive/sample_allocation.h"
-#include "core/adaptive/sample_schedule.h"
 #include "core/bundles/denormals.h"
-#include "core/integrators/light_pass.h"
-#include "core/lights/lights.h"
 #include "core/render/progress_meter.h"
 #include "core/render/tile_renderer.h"
 
@@ -19,6 +16,7 @@
 #include <cassert>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace abbe {
@@ -27,16 +25,15 @@ namespace {
 /// A tile that is not done yet.
 struct OpenTile {
   const Tile* tile;
+  TileState* state;
   int expected; ///< how many samples a pixel it may need
-  bool done = false;
 };
 
 /// How many samples a tile may need, by the error it has after n of them: errors fall like
 /// 1/sqrt(n).
-int expected_samples(double error, int n, const RenderSettings& settings) {
-  const double expected = n * std::pow(error / settings.noise, 2);
-  const double most = settings.samples_per_pixel;
-  return static_cast<int>(std::min(std::max(expected, n + 1.0), most));
+int expected_samples(double error, int n, double noise, int most) {
+  const double expected = n * std::pow(error / noise, 2);
+  return static_cast<int>(std::min(std::max(expected, n + 1.0), static_cast<double>(most)));
 }
 
 /// By how many samples an allocation misses `mean` samples a pixel.
@@ -46,97 +43,195 @@ double more_than(const std::vector<std::uint32_t>& allocation, int mean) {
          static_cast<double>(mean) * static_cast<double>(allocation.size());
 }
 
+int thread_count(const RenderSettings& settings) {
+  return settings.threads > 0 ? settings.threads : tbb::info::default_concurrency();
+}
+
+/// Renders one range of samples into a state, pass by pass.
+class RangeRenderer {
+public:
+  RangeRenderer(RenderContext& context, SampleRange range, RenderState& state,
+                const RenderControl& control);
+
+  /// False when it was stopped.
+  bool run();
+
+private:
+  [[nodiscard]] bool stopped() const { return control_.stop && *control_.stop; }
+  /// True when nothing is to be rendered any more, be the range done or not.
+  [[nodiscard]] bool over() const;
+  /// True where samples or errors of a pass decide on what comes after it, so that passes must not
+  /// be cut where a range ends.
+  [[nodiscard]] bool decides() const;
+  void begin_round();
+  [[nodiscard]] int end_of_pass() const;
+  /// Follows the light paths that the pass's camera samples need.
+  void light_pass(int last);
+  /// The samples of a pass in a tile that has come so far.
+  [[nodiscard]] PassSamples samples_of(const TileState& tile, int last) const;
+  /// Renders one pass of a tile and decides by its pixels alone whether it is done: the same bytes
+  /// on any number of threads.
+  void render_tile(OpenTile& tile, int last, TileRenderer& renderer);
+  /// Renders one pass of all open tiles. False when some of them were left.
+  bool render_pass(int last);
+
+  const RenderSettings& settings_;
+  const SampleRange range_;
+  RenderState& state_;
+  const RenderControl& control_;
+  const SampleSchedule schedule_;
+  RenderContext& context_;
+  ProgressMeter meter_;
+  tbb::global_control workers_;
+  tbb::task_arena arena_;
+  std::vector<OpenTile> open_;
+};
+
+RangeRenderer::RangeRenderer(RenderContext& context, SampleRange range, RenderState& state,
+                             const RenderControl& control)
+    : settings_(context.plan.settings), range_(range), state_(state), control_(control),
+      schedule_(settings_), context_(context),
+      meter_(control.progress,
+             static_cast<double>(context.plan.window.pixel_count()) * (range.last - state.done),
+             settings_.seconds),
+      workers_(tbb::global_control::max_allowed_parallelism,
+               static_cast<std::size_t>(thread_count(settings_))),
+      arena_(thread_count(settings_)) {
+  for (std::size_t i = 0; i < state.tiles.size(); ++i)
+    if (!state.tiles[i].ended)
+      open_.push_back({&context.plan.tiles[i], &state.tiles[i], range.last});
+}
+
+bool RangeRenderer::run() {
+  bool whole = true;
+  while (whole && state_.done < range_.last && !open_.empty()) {
+    if (state_.done == state_.round_end) begin_round();
+    const int last = end_of_pass();
+    light_pass(last);
+    whole = render_pass(last);
+    std::erase_if(open_, [](const OpenTile& tile) { return tile.state->ended; });
+    if (whole) state_.done = last;
+  }
+  state_.rays += meter_.rays();
+  state_.seconds += meter_.seconds();
+  state_.light_seconds += context_.light_passes.seconds();
+  // A stop after the last tile came too late to matter.
+  return state_.done >= range_.last || open_.empty() || !stopped();
+}
+
+bool RangeRenderer::over() const {
+  if (stopped()) return true;
+  // The first pass is finished, however short the time.
+  return settings_.seconds > 0.0 && state_.done > 0 &&
+         state_.seconds + meter_.seconds() >= settings_.seconds;
+}
+
+bool RangeRenderer::decides() const {
+  return settings_.adaptive == AdaptiveSampling::on || settings_.noise > 0.0;
+}
+
+void RangeRenderer::begin_round() {
+  state_.round_end = schedule_.end_of_round(state_.done);
+  if (settings_.adaptive != AdaptiveSampling::on || state_.done == 0) return;
+  arena_.execute([&] {
+    state_.allocation = allocate_samples(state_.film, state_.pixel_rays, state_.round_end);
+  });
+  if (state_.round_end == settings_.samples_per_pixel)
+    meter_.step({}, 0.0, more_than(state_.allocation, state_.round_end));
+}
+
+int RangeRenderer::end_of_pass() const {
+  const int end = schedule_.end_of_pass(state_.done, state_.round_end);
+  return decides() ? end : std::min(end, range_.last);
+}
+
+void RangeRenderer::light_pass(int last) {
+  LightPasses& passes = context_.light_passes;
+  if (!passes.needed()) return;
+  const int done = state_.done;
+  if (done >= state_.light.samples.last)
+    passes.begin(state_.light, {done, schedule_.end_of_light_pass(done, last)});
+  static const std::atomic<bool> never = false;
+  arena_.execute([&] {
+    meter_.add(passes.run(state_.light, state_.film, control_.stop ? *control_.stop : never,
+                          control_.record));
+  });
+}
+
+PassSamples RangeRenderer::samples_of(const TileState& tile, int last) const {
+  if (state_.allocation.empty()) return PassSamples({tile.samples, last});
+  return {state_.allocation, SampleSchedule::passes(state_.done, state_.round_end)};
+}
+
+void RangeRenderer::render_tile(OpenTile& tile, int last, TileRenderer& renderer) {
+  if (tile.state->samples >= last) return; // before it was stopped
+  const PixelWindow& window = tile.tile->window;
+  const auto pixels = static_cast<double>(window.pixel_count());
+  std::uint64_t rendered = 0;
+  const RayCounts rays =
+      renderer.render(*tile.tile, samples_of(*tile.state, last), control_.record, rendered);
+  tile.state->samples = last;
+  if (rendered > 0) state_.film.touched(window.pixel_count());
+  const int expected = tile.expected;
+  tile.expected = std::max(expected, last);
+  if (settings_.noise > 0.0 && (schedule_.may_end(last) || last == settings_.samples_per_pixel)) {
+    const double error = relative_error(state_.film, window);
+    tile.state->ended = error <= settings_.noise;
+    tile.expected =
+        tile.state->ended ? last : expected_samples(error, last, settings_.noise, range_.last);
+  }
+  meter_.step(rays, static_cast<double>(rendered), pixels * (tile.expected - expected));
+}
+
+bool RangeRenderer::render_pass(int last) {
+  std::atomic<std::size_t> rendered = 0;
+  arena_.execute([&] {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, open_.size(), 1), [&](const auto& range) {
+      const DenormalsOff denormals_off;
+      TileRenderer renderer(context_, state_.film, state_.pixel_rays);
+      for (std::size_t i = range.begin(); i < range.end() && !over(); ++i) {
+        render_tile(open_[i], last, renderer);
+        ++rendered;
+      }
+    });
+  });
+  return rendered == open_.size();
+}
+
 } // namespace
 
-Rendering render(const Scene& scene, const Plan& plan, const World& world, const KeepBands& bands,
-                 const ProgressCallback& progress, const std::atomic<bool>& stop,
-                 RayRecord* record) {
-  const RenderSettings& settings = plan.settings;
-  const SampleSchedule schedule(settings);
-  const int most = settings.samples_per_pixel;
-  Rendering result{Film(plan.window, plan.quantum, bands.keep ? plan.grid.count() : 0,
-                        settings.needs_errors(), bands.place)};
-  const PlacedCamera camera(scene, settings, world);
-  const Lights lights(scene, plan);
-  LightPasses light_passes(scene, plan, world, camera.connects() ? &camera : nullptr, result.film);
-  ProgressMeter meter(progress, static_cast<double>(plan.window.pixel_count()) * most,
-                      settings.seconds);
-  assert(!record || settings.threads == 1);
-  const int threads = settings.threads > 0 ? settings.threads : tbb::info::default_concurrency();
-  const tbb::global_control workers(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
-
-  std::vector<std::uint32_t> pixel_rays; // row by row, where adaptive sampling asks for them
-  if (settings.adaptive == AdaptiveSampling::on) pixel_rays.resize(plan.window.pixel_count());
-  std::vector<OpenTile> open;
-  for (const Tile& tile : plan.tiles)
-    open.push_back({&tile, most});
-  const auto ends = [&](int done) {
-    return stop || (settings.seconds > 0.0 && done > 0 && meter.seconds() >= settings.seconds);
-  };
-  // Renders one pass of a tile and decides by its pixels alone whether it is done: the same bytes
-  // on any number of threads.
-  const auto advance = [&](OpenTile& tile, const PassSamples& samples, int last,
-                           TileRenderer& renderer) {
-    const PixelWindow& window = tile.tile->window;
-    const auto pixels = static_cast<double>(window.pixel_count());
-    std::uint64_t done = 0;
-    const RayCounts rays = renderer.render(*tile.tile, samples, record, done);
-    if (done > 0) result.film.touched_bands(window.pixel_count());
-    const int expected = tile.expected;
-    tile.expected = std::max(expected, last);
-    if (settings.noise > 0.0 && (schedule.may_end(last) || last == most)) {
-      const double error = relative_error(result.film, window);
-      tile.done = error <= settings.noise;
-      tile.expected = tile.done ? last : expected_samples(error, last, settings);
-    }
-    meter.step(rays, static_cast<double>(done), pixels * (tile.expected - expected));
-  };
-
-  int done = 0, round_end = schedule.end_of_round(0);
-  int light_pass = 0, light_done = 0;    // there are light paths for so many samples
-  std::vector<std::uint32_t> allocation; // empty: all pixels get the same
-  while (done < most && !open.empty()) {
-    if (done == round_end) {
-      round_end = schedule.end_of_round(done);
-      arena.execute([&] { allocation = allocate_samples(result.film, pixel_rays, round_end); });
-      if (round_end == most) meter.step({}, 0.0, more_than(allocation, most));
-    }
-    const int last = schedule.end_of_pass(done, round_end);
-    const PassSamples samples = allocation.empty()
-                                    ? PassSamples({done, last})
-                                    : PassSamples(allocation, schedule.passes(done, round_end));
-    std::atomic<std::size_t> rendered = 0;
-    arena.execute([&] {
-      if (light_passes.needed() && done >= light_done) {
-        light_done = schedule.end_of_light_pass(done, last);
-        meter.add(light_passes.run(light_pass++, light_done - done, stop, record));
-      }
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, open.size(), 1),
-                        [&](const tbb::blocked_range<std::size_t>& range) {
-                          const DenormalsOff denormals_off;
-                          TileRenderer renderer(scene, plan, world, lights,
-                                                light_passes.needed() ? &light_passes : nullptr,
-                                                camera, result.film, pixel_rays);
-                          for (std::size_t i = range.begin(); i < range.end() && !ends(done); ++i) {
-                            advance(open[i], samples, last, renderer);
-                            ++rendered;
-                          }
-                        });
-    });
-    const bool whole = rendered == open.size();
-    std::erase_if(open, [](const OpenTile& tile) { return tile.done; });
-    if (!whole) break;
-    done = last;
+bool render(const Scene& scene, const Plan& plan, const World& world, SampleRange range,
+            RenderState& state, const RenderControl& control) {
+  assert(!control.record || plan.settings.threads == 1);
+  assert(range.last <= plan.settings.samples_per_pixel);
+  if (range.first > state.done) {
+    assert(state.done == 0 && state.round_end == 0); // it has not begun
+    assert(plan.settings.adaptive == AdaptiveSampling::off && plan.settings.noise == 0.0 &&
+           !plan.caustics);
+    state.done = state.round_end = range.first;
+    for (TileState& tile : state.tiles)
+      tile.samples = range.first;
   }
-  result.rays = meter.rays();
-  result.seconds = meter.seconds();
-  result.light_seconds = light_passes.seconds();
-  result.open_tiles = settings.noise > 0.0 ? open.size() : 0;
-  // A stop after the last tile came too late to matter.
-  result.complete = done == most || open.empty() || !stop;
-  return result;
+  RenderContext context(scene, plan, world);
+  return RangeRenderer(context, range, state, control).run();
+}
+
+Rendering end_rendering(RenderState&& state, const Plan& plan, bool complete) {
+  const auto open = std::ranges::count_if(state.tiles, [](const TileState& t) { return !t.ended; });
+  return {.film = std::move(state.film),
+          .rays = state.rays,
+          .seconds = state.seconds,
+          .light_seconds = state.light_seconds,
+          .complete = complete,
+          .open_tiles = plan.settings.noise > 0.0 ? static_cast<std::size_t>(open) : 0};
+}
+
+Rendering render(const Scene& scene, const Plan& plan, const World& world,
+                 const std::optional<BandPlace>& bands, const RenderControl& control) {
+  RenderState state = begin_rendering(scene, plan, bands);
+  const bool complete =
+      render(scene, plan, world, {0, plan.settings.samples_per_pixel}, state, control);
+  return end_rendering(std::move(state), plan, complete);
 }
 
 } // namespace abbe

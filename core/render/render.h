@@ -1,19 +1,17 @@
 #pragma once
 
-#include "core/bundles/statistics.h"
-#include "core/film/film.h"
-#include "core/plan/plan.h"
+#include "core/render/render_state.h"
 #include "geometry/world.h"
 
 #include <atomic>
 #include <functional>
-#include <utility>
+#include <optional>
 
 namespace abbe {
 
 /// How far a rendering has come.
 struct RenderProgress {
-  double fraction = 0.0; ///< of all samples
+  double fraction = 0.0; ///< of the samples that were asked for
   double seconds = 0.0;  ///< since the start
   RayCounts rays;
 };
@@ -21,6 +19,27 @@ struct RenderProgress {
 /// Called now and then by one of the rendering threads, never by two at once.
 using ProgressCallback = std::function<void(const RenderProgress&)>;
 
+/// Who watches and ends a rendering.
+struct RenderControl {
+  ProgressCallback progress = {};
+  const std::atomic<bool>* stop = nullptr; ///< set from anywhere, it ends the rendering soon
+  RayRecord* record = nullptr; ///< for measurements, gets all rays; needs settings with one thread
+};
+
+/// Renders samples into the state, and returns false when it was stopped before they were done. A
+/// tile that reaches its noise gets no more, and nothing gets more once the time is up, see
+/// `RenderSettings`.
+///
+/// The range begins where the state ends (samples that the state has are not rendered again), or
+/// anywhere in a state that has not begun, unless what comes before decides on what comes after, as
+/// with adaptive sampling, a noise target or light passes. Rendering one range after the other
+/// gives the bytes of rendering them at once. With adaptive sampling or a noise target a range goes
+/// on to the end of the pass in which it ends. After a stop the state holds whole tiles, and the
+/// same range, or a longer one, takes up the rest.
+bool render(const Scene& scene, const Plan& plan, const World& world, SampleRange range,
+            RenderState& state, const RenderControl& control = {});
+
+/// What a rendering gives to who looks at it.
 struct Rendering {
   Film film;
   RayCounts rays = {};
@@ -29,22 +48,11 @@ struct Rendering {
   bool complete = true;       ///< false when it was stopped; not when its time was up
   std::size_t open_tiles = 0; ///< that did not reach `RenderSettings::noise`
 };
+[[nodiscard]] Rendering end_rendering(RenderState&& state, const Plan& plan, bool complete);
 
-/// Whether the film keeps every band besides XYZ, and where.
-struct KeepBands {
-  KeepBands(bool yes) : keep(yes) {} // NOLINT: render(..., false, ...) says enough
-  explicit KeepBands(BandPlace where) : keep(true), place(std::move(where)) {}
-
-  bool keep;
-  BandPlace place = {};
-};
-
-/// Renders the planned window: every pixel with all samples, or each tile until its noise or all of
-/// it until its time says enough, see `RenderSettings`. The film keeps errors where the settings
-/// need or ask for them. Setting `stop` from anywhere ends the rendering soon; what is done is
-/// returned. `record`, for measurements, gets all rays; it needs settings with one thread.
+/// Renders all samples of the planned window. The film keeps all bands where `bands` says where to.
 [[nodiscard]] Rendering render(const Scene& scene, const Plan& plan, const World& world,
-                               const KeepBands& bands, const ProgressCallback& progress,
-                               const std::atomic<bool>& stop, RayRecord* record = nullptr);
+                               const std::optional<BandPlace>& bands = {},
+                               const RenderControl& control = {});
 
 } // namespace abbe

@@ -9,34 +9,30 @@
 namespace abbe {
 namespace {
 
-std::unique_ptr<CameraIntegrator> make_integrator(const Scene& scene, const Plan& plan,
-                                                  const World& world, const Lights& lights,
-                                                  const LightPasses* light_passes,
-                                                  double pixel_angle) {
+std::unique_ptr<CameraIntegrator> make_integrator(const RenderContext& context) {
+  const auto& [scene, plan, world, camera, lights, light_passes] = context;
+  const double pixel_angle = camera.pixel_angle();
   if (plan.settings.integrator == Integrator::path)
-    return std::make_unique<Path>(plan, world, lights, light_passes, pixel_angle);
+    return std::make_unique<Path>(plan, world, lights,
+                                  light_passes.needed() ? &light_passes : nullptr, pixel_angle);
   return std::make_unique<Whitted>(scene, plan, world, lights, pixel_angle);
-}
-
-/// Row by row.
-std::size_t pixel_index(const PixelWindow& window, int x, int y) {
-  return static_cast<std::size_t>(y - window.y0) * static_cast<std::size_t>(window.width()) +
-         static_cast<std::size_t>(x - window.x0);
 }
 
 } // namespace
 
-TileRenderer::TileRenderer(const Scene& scene, const Plan& plan, const World& world,
-                           const Lights& lights, const LightPasses* light_passes,
-                           const PlacedCamera& camera, Film& film,
+RenderContext::RenderContext(const Scene& the_scene, const Plan& the_plan, const World& the_world)
+    : scene(the_scene), plan(the_plan), world(the_world), camera(scene, plan.settings, world),
+      lights(scene, plan), light_passes(scene, plan, world, camera.connects() ? &camera : nullptr) {
+}
+
+TileRenderer::TileRenderer(const RenderContext& context, Film& film,
                            std::span<std::uint32_t> pixel_rays)
-    : plan_(plan), world_(world), film_(film), pixel_rays_(pixel_rays),
-      integrator_(make_integrator(scene, plan, world, lights, light_passes, camera.pixel_angle())),
-      sums_(plan), start_(plan, camera) {}
+    : plan_(context.plan), world_(context.world), film_(film), pixel_rays_(pixel_rays),
+      integrator_(make_integrator(context)), sums_(plan_), start_(plan_, context.camera) {}
 
 SampleRange PassSamples::of(const Film& film, int x, int y) const {
   if (allocation_.empty()) return all_;
-  const auto wanted = static_cast<int>(allocation_[pixel_index(film.window(), x, y)]);
+  const auto wanted = static_cast<int>(allocation_[film.window().index(x, y)]);
   const auto has = static_cast<int>(film.samples(x, y));
   return {has, has + (std::max(wanted - has, 0) + passes_left_ - 1) / passes_left_};
 }
@@ -45,16 +41,15 @@ RayCounts TileRenderer::render(const Tile& tile, const PassSamples& samples, Ray
                                std::uint64_t& rendered) {
   RayCounts counts;
   counts.record = record;
-  const PixelWindow& w = tile.window;
-  for (int y = w.y0; y < w.y1; ++y)
-    for (int x = w.x0; x < w.x1; ++x) {
-      const SampleRange range = samples.of(film_, x, y);
-      rendered += static_cast<std::uint64_t>(range.last - range.first);
-      for (int s = range.first; s < range.last; ++s) {
-        batch_.push_back({x, y, Sampler(x, y, static_cast<std::uint32_t>(s), plan_.settings.seed)});
-        if (batch_.size() == kPacketWidth) finish_batch(tile.empty, counts);
-      }
+  for_each_pixel(tile.window, [&](int x, int y) {
+    const SampleRange range = samples.of(film_, x, y);
+    rendered += static_cast<std::uint64_t>(range.last - range.first);
+    for (int s = range.first; s < range.last; ++s) {
+      const auto index = static_cast<std::uint32_t>(s);
+      batch_.push_back({x, y, index, Sampler(x, y, index, plan_.settings.seed)});
+      if (batch_.size() == kPacketWidth) finish_batch(tile.empty, counts);
     }
+  });
   finish_batch(tile.empty, counts);
   return counts;
 }
@@ -89,12 +84,12 @@ void TileRenderer::trace_sample(const CameraSample& sample, const CameraPaths& s
   const std::uint64_t before = counts.total();
   integrator_->trace(start, sample.sampler, sums_, counts);
   if (!pixel_rays_.empty())
-    pixel_rays_[pixel_index(film_.window(), sample.x, sample.y)] +=
+    pixel_rays_[film_.window().index(sample.x, sample.y)] +=
         static_cast<std::uint32_t>(start.count + counts.total() - before);
   bool covered = false;
   for (std::size_t i = 0; i < start.count; ++i)
     covered |= start.hits[i].met();
-  film_.add(sample.x, sample.y, sums_.color(), covered,
+  film_.add({sample.x, sample.y, sample.index, covered}, sums_.color(),
             film_.bands() > 0 ? sums_.radiance() : std::span<const float>());
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/adaptive/sample_schedule.h"
 #include "core/bundles/statistics.h"
 #include "core/film/film.h"
 #include "core/film/radiance_sums.h"
@@ -18,9 +19,18 @@
 
 namespace abbe {
 
-/// Samples [first, last) of a pixel.
-struct SampleRange {
-  int first, last;
+/// What all tiles of a rendering share. It keeps references, and others keep references to it.
+struct RenderContext {
+  const Scene& scene;
+  const Plan& plan;
+  const World& world;
+  PlacedCamera camera;
+  Lights lights;
+  LightPasses light_passes;
+
+  RenderContext(const Scene& the_scene, const Plan& the_plan, const World& the_world);
+  RenderContext(const RenderContext&) = delete;
+  RenderContext& operator=(const RenderContext&) = delete;
 };
 
 /// Which samples of each pixel one pass renders.
@@ -36,7 +46,7 @@ public:
   [[nodiscard]] SampleRange of(const Film& film, int x, int y) const;
 
 private:
-  SampleRange all_{0, 0};
+  SampleRange all_;
   std::span<const std::uint32_t> allocation_; ///< empty for `all_`
   int passes_left_ = 1;
 };
@@ -44,11 +54,9 @@ private:
 /// Renders tiles on one thread.
 class TileRenderer {
 public:
-  /// Keeps references to all; `light_passes` is null where there are none. `pixel_rays`, unless it
-  /// is empty, counts the rays of each pixel of the film, row by row.
-  TileRenderer(const Scene& scene, const Plan& plan, const World& world, const Lights& lights,
-               const LightPasses* light_passes, const PlacedCamera& camera, Film& film,
-               std::span<std::uint32_t> pixel_rays);
+  /// Keeps references to all. `pixel_rays`, unless it is empty, counts the rays of each pixel of
+  /// the film, row by row.
+  TileRenderer(const RenderContext& context, Film& film, std::span<std::uint32_t> pixel_rays);
 
   /// Adds the samples of every pixel of the tile to the film, and their number to `rendered`.
   RayCounts render(const Tile& tile, const PassSamples& samples, RayRecord* record,
@@ -59,6 +67,7 @@ private:
 
   struct CameraSample {
     int x, y;
+    std::uint32_t index; ///< of the pixel's samples
     Sampler sampler;
   };
 

@@ -13,7 +13,20 @@ struct PixelWindow {
   [[nodiscard]] std::size_t pixel_count() const {
     return static_cast<std::size_t>(width()) * static_cast<std::size_t>(height());
   }
+  /// The number of a pixel of the window, row by row.
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(width()) +
+           static_cast<std::size_t>(x - x0);
+  }
   friend bool operator==(const PixelWindow&, const PixelWindow&) = default;
 };
+
+/// Calls `use(x, y)` for the pixels of the window, row by row.
+template <class Use>
+void for_each_pixel(const PixelWindow& window, const Use& use) {
+  for (int y = window.y0; y < window.y1; ++y)
+    for (int x = window.x0; x < window.x1; ++x)
+      use(x, y);
+}
 
 } // namespace abbe

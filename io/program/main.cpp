@@ -113,10 +113,11 @@ int render_command(const Options& options) {
   const World world(scene.shapes, farthest_coordinate(scene));
 
   Progress progress(options.quiet);
-  const Rendering rendering = render(
-      scene, plan, world,
-      options.spectral_output ? KeepBands(band_place(*options.spectral_output)) : KeepBands(false),
-      [&](const RenderProgress& p) { progress.tell(p); }, stop);
+  std::optional<BandPlace> bands;
+  if (options.spectral_output) bands = band_place(*options.spectral_output);
+  const Rendering rendering =
+      render(scene, plan, world, bands,
+             {.progress = [&](const RenderProgress& p) { progress.tell(p); }, .stop = &stop});
   progress.finish();
   if (!options.quiet) fmt::print("{}\n", summary(rendering));
 

@@ -90,7 +90,7 @@ std::string lighting(const Rendering& rendering) {
 
 std::string summary(const Rendering& rendering) {
   const RayCounts& rays = rendering.rays;
-  const Film::Refused refused = rendering.film.refused();
+  const RefusedValues& refused = rendering.film.refused();
   return reached(rendering) +
          fmt::format("rays: {} camera, {} reflected, {} refracted, {} scattered, {} shadow, "
                      "{} light; {} in {:.2f} s, "

@@ -70,11 +70,12 @@ TEST_CASE("quantiles lie between the sorted values") {
 }
 
 TEST_CASE("the noise of bands by hand") {
-  // Band 0: differences 0.1 and 0 over 1 and 2: 0.01 / 5. Band 1: 0.5 over 1: 0.25. Band 2 is black.
+  // Band 0: differences 0.1 and 0 over 1 and 2: 0.01 / 5. Band 1: 0.5 over 1: 0.25. Band 2 is
+  // black.
   const auto film = [](const std::vector<std::vector<float>>& pixels) {
     Film result({0, 0, 2, 1}, 0x1p-40, 3);
     for (int x = 0; x < 2; ++x)
-      result.add(x, 0, {1.0, 1.0, 1.0}, true, pixels[static_cast<std::size_t>(x)]);
+      result.add({x, 0, 0, true}, {1.0, 1.0, 1.0}, pixels[static_cast<std::size_t>(x)]);
     return result;
   };
   const Film reference = film({{1.0f, 1.0f, 0.0f}, {2.0f, 0.0f, 0.0f}});
@@ -85,8 +86,8 @@ TEST_CASE("the noise of bands by hand") {
 TEST_CASE("a pixel has changed with its colour, its coverage or one band") {
   const auto film = [](double y, bool covered, float band) {
     Film result({0, 0, 2, 1}, 0x1p-40, 2);
-    result.add(0, 0, {0.1, 0.2, 0.3}, true, std::vector{1.0f, 2.0f});
-    result.add(1, 0, {0.1, y, 0.3}, covered, std::vector{1.0f, band});
+    result.add({0, 0, 0, true}, {0.1, 0.2, 0.3}, std::vector{1.0f, 2.0f});
+    result.add({1, 0, 0, covered}, {0.1, y, 0.3}, std::vector{1.0f, band});
     return result;
   };
   const Film usual = film(0.5, true, 2.0f);

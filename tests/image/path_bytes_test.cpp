@@ -103,7 +103,7 @@ TEST_CASE("path: packets and single rays make the same bytes") {
 }
 
 TEST_CASE("path: bands in a file are the bytes of bands in memory") {
-  const KeepBands in_file(BandPlace{std::filesystem::temp_directory_path(), 0});
+  const BandPlace in_file{std::filesystem::temp_directory_path(), 0};
   for (const Case& c : cases()) {
     INFO(c.name);
     Scene scene = test::scene_from(c.text);

@@ -17,11 +17,10 @@ struct Picture {
 };
 
 /// Renders; the film may refuse nothing.
-inline Picture picture(const Scene& scene, const KeepBands& bands = true) {
+inline Picture picture(const Scene& scene, const BandPlace& bands = {}) {
   const Plan plan = make_plan(scene, scene.settings);
   const World world(scene.shapes, farthest_coordinate(scene));
-  const std::atomic<bool> never = false;
-  const Rendering r = render(scene, plan, world, bands, {}, never);
+  const Rendering r = render(scene, plan, world, bands);
   CHECK(r.film.refused().not_finite == 0);
   CHECK(r.film.refused().negative == 0);
   CHECK(r.film.refused().overflow == 0);

@@ -28,8 +28,7 @@ std::vector<double> splats(const Scene& scene, const Plan& plan, const World& wo
   Emission emission(scene, plan);
   emission.place(world);
   const PlacedCamera camera(scene, plan.settings, world);
-  Film film({0, 0, 8, 8}, plan.quantum, 0);
-  film.enable_splats();
+  Film film({0, 0, 8, 8}, beauty_layers({.quantum = plan.quantum, .splats = true}));
   LightPaths paths(plan, world, emission, &camera, film);
   RayCounts counts;
   for (std::uint32_t i = 0; i < count; ++i) {

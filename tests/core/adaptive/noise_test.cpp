@@ -17,10 +17,10 @@ Film film_of_two(int width) {
 // Pixel 0: means 1 and errors 0.5. Pixel 1: X alone, 3 +- 1. The mean of all six values is 1.
 TEST_CASE("the relative error is that of its formula") {
   Film film = film_of_two(2);
-  film.add(4, 6, {0.5, 0.5, 0.5}, true, {});
-  film.add(4, 6, {1.5, 1.5, 1.5}, true, {});
-  film.add(5, 6, {2.0, 0.0, 0.0}, true, {});
-  film.add(5, 6, {4.0, 0.0, 0.0}, true, {});
+  film.add({4, 6, 0, true}, {0.5, 0.5, 0.5}, {});
+  film.add({4, 6, 1, true}, {1.5, 1.5, 1.5}, {});
+  film.add({5, 6, 0, true}, {2.0, 0.0, 0.0}, {});
+  film.add({5, 6, 1, true}, {4.0, 0.0, 0.0}, {});
   CHECK(relative_error(film, film.window()) ==
         Approx(std::sqrt((3.0 * 0.25 / 1.01 + 1.0 / 9.01) / 6.0)).epsilon(1e-9));
   CHECK(relative_error(film, {4, 6, 5, 7}) == Approx(std::sqrt(0.25 / 1.01)).epsilon(1e-9));
@@ -30,21 +30,21 @@ TEST_CASE("the relative error is that of its formula") {
 
 TEST_CASE("black has no error, a sample alone an unknown one") {
   Film film = film_of_two(2);
-  film.add(4, 6, {0.0, 0.0, 0.0}, true, {});
-  film.add(4, 6, {0.0, 0.0, 0.0}, true, {});
+  film.add({4, 6, 0, true}, {0.0, 0.0, 0.0}, {});
+  film.add({4, 6, 1, true}, {0.0, 0.0, 0.0}, {});
   CHECK(relative_error(film, {4, 6, 5, 7}) == 0.0);
-  film.add(5, 6, {1.0, 1.0, 1.0}, true, {});
+  film.add({5, 6, 0, true}, {1.0, 1.0, 1.0}, {});
   CHECK(relative_error(film, film.window()) == std::numeric_limits<double>::infinity());
-  film.add(5, 6, {1.0, 1.0, 1.0}, true, {});
+  film.add({5, 6, 1, true}, {1.0, 1.0, 1.0}, {});
   CHECK(relative_error(film, film.window()) == 0.0);
 }
 
 TEST_CASE("samples are counted over the window") {
   Film film = film_of_two(3);
-  for (int i = 0; i < 4; ++i)
-    film.add(5, 6, {1.0, 1.0, 1.0}, true, {});
-  for (int i = 0; i < 5; ++i)
-    film.add(6, 6, {1.0, 1.0, 1.0}, true, {});
+  for (std::uint32_t i = 0; i < 4; ++i)
+    film.add({5, 6, i, true}, {1.0, 1.0, 1.0}, {});
+  for (std::uint32_t i = 0; i < 5; ++i)
+    film.add({6, 6, i, true}, {1.0, 1.0, 1.0}, {});
   const SampleCounts counts = sample_counts(film);
   CHECK(counts.least == 0);
   CHECK(counts.most == 5);

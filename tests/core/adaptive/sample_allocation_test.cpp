@@ -20,9 +20,9 @@ Film film_of(const std::function<double(int, int)>& grey,
   Film film(kWindow, 0x1p-40, 0, true);
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x)
-      for (const double sign : {-1.0, 1.0}) {
-        const double v = grey(x, y) * (1.0 + sign * d(x, y));
-        film.add(kWindow.x0 + x, kWindow.y0 + y, to_xyz(LinearRgb{v, v, v}), true, {});
+      for (const std::uint32_t i : {0u, 1u}) {
+        const double v = grey(x, y) * (1.0 + (i == 0 ? -1.0 : 1.0) * d(x, y));
+        film.add({kWindow.x0 + x, kWindow.y0 + y, i, true}, to_xyz(LinearRgb{v, v, v}), {});
       }
   return film;
 }
@@ -132,8 +132,8 @@ TEST_CASE("a quiet half meets the mean, not the step below it") {
 
 TEST_CASE("no pixel gets fewer samples than it has") {
   Film film = film_of(one, [](int x, int) { return x < kWidth / 2 ? 0.01 : 0.3; });
-  for (int i = 0; i < 40; ++i)
-    film.add(kWindow.x0, kWindow.y0, to_xyz(LinearRgb{1.0, 1.0, 1.0}), true, {});
+  for (std::uint32_t i = 2; i < 42; ++i)
+    film.add({kWindow.x0, kWindow.y0, i, true}, to_xyz(LinearRgb{1.0, 1.0, 1.0}), {});
   const auto samples = allocate_samples(film, equal_rays(), 8.0);
   CHECK(samples[0] == 42);
   CHECK(*std::min_element(samples.begin(), samples.end()) >= 2);
@@ -145,10 +145,11 @@ TEST_CASE("errors are those of linear red, green and blue") {
   Film film(kWindow, 0x1p-40, 0, true);
   for (int y = kWindow.y0; y < kWindow.y1; ++y)
     for (int x = kWindow.x0; x < kWindow.x1; ++x)
-      for (const double v : {-0.04 * octaves(y - kWindow.y0), 0.04 * octaves(y - kWindow.y0)}) {
+      for (const std::uint32_t i : {0u, 1u}) {
+        const double v = (i == 0 ? -0.04 : 0.04) * octaves(y - kWindow.y0);
         const bool red = x < kWindow.x0 + kWidth / 2;
-        film.add(x, y, to_xyz(red ? LinearRgb{1.0 + v, 0.2, 0.2} : LinearRgb{1.0, 0.2 + v, 0.2}),
-                 true, {});
+        film.add({x, y, i, true},
+                 to_xyz(red ? LinearRgb{1.0 + v, 0.2, 0.2} : LinearRgb{1.0, 0.2 + v, 0.2}), {});
       }
   const auto samples = allocate_samples(film, equal_rays(), 200.0);
   // m = 1.4 / 3, 0.01 m^2 = 0.00218: sqrt(1.00218 / 0.04218) = 4.87 times the share.
@@ -161,9 +162,10 @@ TEST_CASE("errors keep their signs on the way from XYZ to red, green and blue") 
   Film film(kWindow, 0x1p-40, 0, true);
   for (int y = kWindow.y0; y < kWindow.y1; ++y)
     for (int x = kWindow.x0; x < kWindow.x1; ++x)
-      for (const double v : {-0.04 * octaves(y - kWindow.y0), 0.04 * octaves(y - kWindow.y0)}) {
+      for (const std::uint32_t i : {0u, 1u}) {
+        const double v = (i == 0 ? -0.04 : 0.04) * octaves(y - kWindow.y0);
         const double w = x < kWindow.x0 + kWidth / 2 ? -v : v;
-        film.add(x, y, to_xyz(LinearRgb{0.5 + v, 0.5 + w, 0.5}), true, {});
+        film.add({x, y, i, true}, to_xyz(LinearRgb{0.5 + v, 0.5 + w, 0.5}), {});
       }
   const auto samples = allocate_samples(film, equal_rays(), 200.0);
   CHECK(mean_of(samples, 0, 28) == Approx(mean_of(samples, 32, kWidth)).epsilon(0.03));

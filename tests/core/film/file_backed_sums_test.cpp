@@ -104,22 +104,22 @@ TEST_CASE("a folder that cannot take the file of sums is named, with the size") 
 TEST_CASE("a film has the same bands in memory and in a file, splats too") {
   const Folder folder;
   const PixelWindow window{3, 4, 20, 15};
-  Film films[] = {Film(window, 0x1p-40, 5), Film(window, 0x1p-40, 5, false, {folder.path, 0})};
+  const auto layers = beauty_layers({.quantum = 0x1p-40, .bands = 5, .splats = true});
+  Film films[] = {Film(window, layers), Film(window, layers, {folder.path, 0})};
   for (Film& film : films) {
-    film.enable_splats();
     std::mt19937 random(1);
     std::uniform_real_distribution<float> value(0.0f, 2.0f);
-    for (int i = 0; i < 3; ++i)
+    for (std::uint32_t i = 0; i < 3; ++i)
       for (int y = window.y0; y < window.y1; ++y)
         for (int x = window.x0; x < window.x1; ++x) {
           std::vector<float> radiance(5);
           for (float& r : radiance)
             r = value(random);
-          film.add(x, y, {1.0, 1.0, 1.0}, true, radiance);
+          film.add({x, y, i, true}, {1.0, 1.0, 1.0}, radiance);
           film.add_splat(x, y, {1.0, 1.0, 1.0}, radiance, 0.25);
         }
     film.add_light_passes(2.0);
-    film.touched_bands(window.pixel_count());
+    film.touched(window.pixel_count());
   }
   for (int y = window.y0; y < window.y1; ++y)
     for (int x = window.x0; x < window.x1; ++x)

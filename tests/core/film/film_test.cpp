@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 using namespace abbe;
@@ -21,30 +22,34 @@ Film one_pixel(int bands = 0) {
 
 } // namespace
 
-TEST_CASE("sums do not depend on the order of the samples") {
+TEST_CASE("colours and errors do not depend on the order of the samples") {
   std::mt19937 random(1);
   std::lognormal_distribution<double> radiance(0.0, 4.0);
-  std::vector<Xyz> samples(1000);
-  for (Xyz& s : samples)
-    s = {radiance(random), radiance(random), radiance(random)};
+  std::vector<std::pair<std::uint32_t, Xyz>> samples(1000);
+  for (std::uint32_t i = 0; i < samples.size(); ++i)
+    samples[i] = {i, {radiance(random), radiance(random), radiance(random)}};
   const auto sum = [&] {
-    Film film = one_pixel();
-    for (const Xyz& s : samples)
-      film.add(0, 0, s, true, {});
-    return film.color(0, 0);
+    Film film({0, 0, 1, 1}, kQuantum, 0, true);
+    for (const auto& [index, color] : samples)
+      film.add({0, 0, index, true}, color, {});
+    return film;
   };
-  const Xyz first = sum();
+  const Film first = sum();
+  CHECK(first.strata(0, 0) == PixelStrata{512, 512});
   for (int i = 0; i < 5; ++i) {
     std::shuffle(samples.begin(), samples.end(), random);
-    CHECK(sum() == first);
+    const Film other = sum();
+    CHECK(other.color(0, 0) == first.color(0, 0));
+    CHECK(other.signed_error(0, 0) == first.signed_error(0, 0));
+    CHECK(other.strata(0, 0) == first.strata(0, 0));
   }
 }
 
 TEST_CASE("a film gives means of colour, bands and coverage, per pixel of its window") {
   Film film({10, 20, 13, 22}, kQuantum, 2);
   const std::vector<float> dim{0.25f, 0.5f}, bright{0.75f, 1.5f};
-  film.add(12, 21, {0.1, 0.2, 0.3}, true, dim);
-  film.add(12, 21, {0.3, 0.4, 0.5}, false, bright);
+  film.add({12, 21, 0, true}, {0.1, 0.2, 0.3}, dim);
+  film.add({12, 21, 1, false}, {0.3, 0.4, 0.5}, bright);
   const Xyz mean = film.color(12, 21);
   CHECK(mean.x == Approx(0.2).margin(kQuantum));
   CHECK(mean.y == Approx(0.3).margin(kQuantum));
@@ -65,11 +70,11 @@ TEST_CASE("a film gives means of colour, bands and coverage, per pixel of its wi
 
 TEST_CASE("numbers that are no radiance are counted by kind and add nothing") {
   Film film = one_pixel();
-  film.add(0, 0, {1.0, 2.0, 3.0}, true, {});
-  film.add(0, 0, {kNan, 1.0, 1.0}, true, {});
-  film.add(0, 0, {1.0, kInfinite, 1.0}, true, {});
-  film.add(0, 0, {1.0, 1.0, -1e-9}, true, {});
-  film.add(0, 0, {1.0, 1.0, 1e30}, true, {});
+  film.add({0, 0, 0, true}, {1.0, 2.0, 3.0}, {});
+  film.add({0, 0, 1, true}, {kNan, 1.0, 1.0}, {});
+  film.add({0, 0, 2, true}, {1.0, kInfinite, 1.0}, {});
+  film.add({0, 0, 3, true}, {1.0, 1.0, -1e-9}, {});
+  film.add({0, 0, 4, true}, {1.0, 1.0, 1e30}, {});
   CHECK(film.refused().not_finite == 2);
   CHECK(film.refused().negative == 1);
   CHECK(film.refused().overflow == 1);
@@ -80,14 +85,14 @@ TEST_CASE("numbers that are no radiance are counted by kind and add nothing") {
 
 TEST_CASE("minus zero is no negative radiance") {
   Film film = one_pixel();
-  film.add(0, 0, {-0.0, 0.0, 0.0}, true, {});
+  film.add({0, 0, 0, true}, {-0.0, 0.0, 0.0}, {});
   CHECK(film.refused().negative == 0);
 }
 
 TEST_CASE("bands are refused one by one") {
   Film film = one_pixel(4);
   const std::vector<float> bands{kNan, -1.0f, 1e30f, 2.0f};
-  film.add(0, 0, {1.0, 1.0, 1.0}, true, bands);
+  film.add({0, 0, 0, true}, {1.0, 1.0, 1.0}, bands);
   CHECK(film.refused().not_finite == 1);
   CHECK(film.refused().negative == 1);
   CHECK(film.refused().overflow == 1);
@@ -99,8 +104,8 @@ TEST_CASE("bands are refused one by one") {
 // The largest sum is 2^63 - 1 quanta.
 TEST_CASE("a sum that is full stays as it is") {
   Film film({0, 0, 1, 1}, 1.0, 0);
-  film.add(0, 0, {0x1p62, 0.0, 0.0}, true, {});
-  film.add(0, 0, {0x1p62, 0.0, 0.0}, true, {});
+  film.add({0, 0, 0, true}, {0x1p62, 0.0, 0.0}, {});
+  film.add({0, 0, 1, true}, {0x1p62, 0.0, 0.0}, {});
   CHECK(film.refused().overflow == 1);
   CHECK(film.color(0, 0).x == 0x1p61);
 }
@@ -108,8 +113,8 @@ TEST_CASE("a sum that is full stays as it is") {
 // 16 bits would have counted 70000 as 4464.
 TEST_CASE("the tally of refused samples does not wrap") {
   Film film = one_pixel();
-  for (int i = 0; i < 70000; ++i)
-    film.add(0, 0, {kNan, 0.0, 0.0}, true, {});
+  for (std::uint32_t i = 0; i < 70000; ++i)
+    film.add({0, 0, i, true}, {kNan, 0.0, 0.0}, {});
   CHECK(film.refused().not_finite == 70000);
 }
 
@@ -117,8 +122,8 @@ namespace {
 
 Film film_of(const std::vector<double>& samples) {
   Film film({0, 0, 1, 1}, kQuantum, 0, true);
-  for (const double v : samples)
-    film.add(0, 0, {v, 2.0 * v, 4.0 * v}, true, {});
+  for (std::uint32_t i = 0; i < samples.size(); ++i)
+    film.add({0, 0, i, true}, Xyz{1.0, 2.0, 4.0} * samples[i], {});
   return film;
 }
 
@@ -139,6 +144,7 @@ TEST_CASE("the error is the difference of the first samples and the rest") {
   CHECK(error({0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1}).x == 0.0);
   CHECK(error({}).y == kInfinite);
   CHECK(error({1}).y == kInfinite);
+  CHECK(film_of({1, 3, 5}).signed_error(0, 0).x == Approx(-std::sqrt(2.0)));
   CHECK(film_of({}).keeps_errors());
   CHECK_FALSE(one_pixel().keeps_errors());
 }

@@ -23,7 +23,7 @@ Picture picture(int bands) {
   for (int y = 3; y < 5; ++y)
     for (int x = 2; x < 5; ++x) {
       const double v = 0.05 * (x + 3 * (y - 3));
-      p.film.add(x, y, Xyz{0.9, 1.0, 0.8} * v, x > 2, radiance);
+      p.film.add({x, y, 0, x > 2}, Xyz{0.9, 1.0, 0.8} * v, radiance);
     }
   return p;
 }
@@ -109,9 +109,9 @@ TEST_CASE("where errors are asked for, samples and the error of the luminance ar
   CHECK(develop_scene_linear(film, make_plan(scene, scene.settings)).channels.empty());
   scene.settings.keep_errors = true;
   const Plan plan = make_plan(scene, scene.settings);
-  film.add(0, 0, {0.0, 1.0, 0.0}, true, {});
-  film.add(0, 0, {0.0, 3.0, 0.0}, true, {});
-  film.add(1, 0, {0.0, 3.0, 0.0}, true, {});
+  film.add({0, 0, 0, true}, {0.0, 1.0, 0.0}, {});
+  film.add({0, 0, 1, true}, {0.0, 3.0, 0.0}, {});
+  film.add({1, 0, 0, true}, {0.0, 3.0, 0.0}, {});
   const SceneLinearImage image = develop_scene_linear(film, plan);
   REQUIRE(image.channels.size() == 2);
   CHECK(image.channels[0].name == "samples");
@@ -168,7 +168,7 @@ TEST_CASE("EXR in another space: white stays white, other colours have the publi
   Film film({0, 0, 4, 1}, 0x1p-40, 0);
   const LinearRgb colors[] = {{1, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (int x = 0; x < 4; ++x)
-    film.add(x, 0, to_xyz(colors[x]), true, {});
+    film.add({x, 0, 0, true}, to_xyz(colors[x]), {});
   const auto check = [&](SceneLinearSpace space, const std::vector<double>& expected,
                          double margin) {
     const SceneLinearImage image = develop_scene_linear(film, plan, space);

@@ -95,8 +95,8 @@ TEST_CASE("samples are what was asked for in the mean, and no pixel goes without
 
 TEST_CASE("passes of a round take equal parts of what a pixel is to get") {
   Film film({5, 6, 7, 8}, 0x1p-40, 0);
-  for (int i = 0; i < 4; ++i)
-    film.add(6, 7, {0.0, 0.0, 0.0}, true, {});
+  for (std::uint32_t i = 0; i < 4; ++i)
+    film.add({6, 7, i, true}, {0.0, 0.0, 0.0}, {});
   const std::vector<std::uint32_t> allocation{0, 0, 0, 14}; // of pixel 6, 7 the last
   const auto range = [&](int passes_left) {
     const SampleRange r = PassSamples(allocation, passes_left).of(film, 6, 7);
@@ -154,13 +154,12 @@ TEST_CASE("progress with adaptive sampling grows to 1") {
   scene.settings.samples_per_pixel = 48;
   const Plan plan = make_plan(scene, scene.settings);
   const World world(scene.shapes, farthest_coordinate(scene));
-  const std::atomic<bool> never = false;
   double last = 0.0;
   const auto tell = [&](const RenderProgress& p) {
     CHECK(p.fraction >= last);
     CHECK(p.fraction <= 1.0);
     last = p.fraction;
   };
-  CHECK(render(scene, plan, world, false, tell, never).complete);
+  CHECK(render(scene, plan, world, {}, {.progress = tell}).complete);
   CHECK(last == 1.0);
 }

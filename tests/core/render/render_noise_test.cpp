@@ -140,14 +140,13 @@ TEST_CASE("progress with a noise target grows to 1") {
   scene.settings.samples_per_pixel = 64;
   const Plan plan = make_plan(scene, scene.settings);
   const World world(scene.shapes, farthest_coordinate(scene));
-  const std::atomic<bool> never = false;
   double last = 0.0;
   const auto tell = [&](const RenderProgress& p) {
     CHECK(p.fraction >= last);
     CHECK(p.fraction <= 1.0);
     last = p.fraction;
   };
-  CHECK(render(scene, plan, world, false, tell, never).complete);
+  CHECK(render(scene, plan, world, {}, {.progress = tell}).complete);
   CHECK(last == 1.0);
 }
 
@@ -176,7 +175,7 @@ TEST_CASE("a stop is told from time that is up") {
   const World world(scene.shapes, farthest_coordinate(scene));
   std::atomic<bool> stop = false;
   const auto interrupt = [&](const RenderProgress&) { stop = true; };
-  CHECK_FALSE(render(scene, plan, world, false, interrupt, stop).complete);
+  CHECK_FALSE(render(scene, plan, world, {}, {.progress = interrupt, .stop = &stop}).complete);
 }
 
 // Between sqrt(2^1 - 1) = 1 for noise without order and sqrt(2^1.5 - 1) = 1.35 for edges, see

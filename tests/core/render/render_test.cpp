@@ -82,17 +82,14 @@ TEST_CASE("progress grows to 1 and counts every ray") {
   const Scene scene = everything();
   const Plan plan = make_plan(scene, scene.settings);
   const World world(scene.shapes, farthest_coordinate(scene));
-  const std::atomic<bool> never = false;
   double last = 0.0;
   std::uint64_t rays = 0;
-  const Rendering r = render(
-      scene, plan, world, false,
-      [&](const RenderProgress& p) {
-        CHECK(p.fraction > last);
-        last = p.fraction;
-        rays = p.rays.total();
-      },
-      never);
+  const auto tell = [&](const RenderProgress& p) {
+    CHECK(p.fraction > last);
+    last = p.fraction;
+    rays = p.rays.total();
+  };
+  const Rendering r = render(scene, plan, world, {}, {.progress = tell});
   CHECK(last == 1.0);
   CHECK(rays == r.rays.total());
   CHECK(r.rays.camera > 0);
@@ -106,16 +103,15 @@ TEST_CASE("a rendering that is stopped says so and keeps what is done") {
   const Plan plan = make_plan(scene, scene.settings);
   const World world(scene.shapes, farthest_coordinate(scene));
   std::atomic<bool> stop = true;
-  const Rendering none = render(scene, plan, world, false, {}, stop);
+  const Rendering none = render(scene, plan, world, {}, {.stop = &stop});
   CHECK_FALSE(none.complete);
   CHECK(none.film.samples(0, 0) == 0);
   CHECK(none.film.color(24, 20) == Xyz{0.0, 0.0, 0.0});
 
   stop = false;
   const auto stop_at = [&](double fraction) {
-    return render(
-        scene, plan, world, false,
-        [&](const RenderProgress& p) { stop = stop || p.fraction >= fraction; }, stop);
+    const auto tell = [&](const RenderProgress& p) { stop = stop || p.fraction >= fraction; };
+    return render(scene, plan, world, {}, {.progress = tell, .stop = &stop});
   };
   const Rendering late = stop_at(1.0); // all was done before the stop
   CHECK(late.complete);

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/adaptive/sample_schedule.h"
+#include "core/bundles/statistics.h"
+#include "core/film/film.h"
+#include "core/integrators/light_pass.h"
+#include "core/plan/plan.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace abbe {
+
+/// How far a tile of the plan has come.
+struct TileState {
+  int samples = 0;    ///< its pixels have had all samples before this one, in the mean
+  bool ended = false; ///< it needs no more
+};
+
+/// All that a rendering has come to: plain values, from which it goes on as if it had never been
+/// interrupted. What else rendering needs follows from the scene and its plan.
+struct RenderState {
+  Film film;
+  int done = 0;                 ///< all tiles that go on have had so many samples a pixel, or more
+  std::vector<TileState> tiles; ///< by number of the plan's tile
+  RayCounts rays = {};
+  double seconds = 0.0;
+  double light_seconds = 0.0; ///< of these, in light-side passes
+  LightPassState light = {};
+
+  // Adaptive sampling.
+  int round_end = 0;                          ///< where the current round ends
+  std::vector<std::uint32_t> allocation = {}; ///< what each pixel shall have then; empty: the same
+  std::vector<std::uint32_t> pixel_rays = {}; ///< how many rays each pixel has taken so far
+};
+
+/// A rendering that has not begun. Its film keeps the sums of all bands where `bands` says where
+/// to, and errors where the settings need them. Errors: those of FileBackedSums.
+[[nodiscard]] RenderState begin_rendering(const Scene& scene, const Plan& plan,
+                                          const std::optional<BandPlace>& bands = {});
+
+} // namespace abbe

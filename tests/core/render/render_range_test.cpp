@@ -1,0 +1,173 @@
+#include "core/planning/make_plan.h"
+#include "core/planning/plan_extent.h"
+#include "core/render/render.h"
+#include "tests/catch.h"
+#include "tests/render_text.h"
+
+#include <chrono>
+#include <thread>
+#include <utility>
+
+using namespace abbe;
+
+namespace {
+
+/// A glass ball on a floor and a mirror under a lamp, in several tiles.
+Scene glass(const std::string& settings) {
+  return test::scene_from(settings +
+                          " imageSize 40 24 bands 5 eye 0 1.2 5 fieldOfView 40\n"
+                          "background 0.1 0.1 0.2\n"
+                          "falloff square intensity 4 light E 1 3 2 1\n"
+                          "defaultMaterials diffuse 0.7 0.7 0.7\n"
+                          "push rotate -90 1 0 0 scale 4 4 1 square pop\n"
+                          "glass N-SF11 push translate 0 0.8 0 scale 0.7 0.7 0.7 sphere pop\n");
+}
+
+/// What ranges of one scene's samples are rendered into.
+struct Stage {
+  Scene scene;
+  Plan plan = make_plan(scene, scene.settings);
+  World world = World(scene.shapes, farthest_coordinate(scene));
+
+  [[nodiscard]] RenderState begin() const { return begin_rendering(scene, plan, BandPlace{}); }
+  bool render_range(SampleRange range, RenderState& state,
+                    const RenderControl& control = {}) const {
+    return render(scene, plan, world, range, state, control);
+  }
+  [[nodiscard]] RenderState all() const {
+    RenderState state = begin();
+    CHECK(render_range({0, plan.settings.samples_per_pixel}, state));
+    return state;
+  }
+};
+
+Stage stage(Scene scene, int samples) {
+  scene.settings.samples_per_pixel = samples;
+  return {std::move(scene)};
+}
+
+/// That all sums and counts are the same.
+void check_same(const Film& a, const Film& b) {
+  REQUIRE(a.layer_count() == b.layer_count());
+  CHECK(a.light_passes() == b.light_passes());
+  for_each_pixel(a.window(), [&](int x, int y) {
+    const std::size_t pixel = a.window().index(x, y);
+    REQUIRE(a.samples(x, y) == b.samples(x, y));
+    REQUIRE(a.covered_samples(x, y) == b.covered_samples(x, y));
+    if (a.keeps_errors()) REQUIRE(a.strata(x, y) == b.strata(x, y));
+    for (std::size_t i = 0; i < a.layer_count(); ++i) {
+      const Layer& first = a.layer(static_cast<LayerId>(i));
+      const Layer& second = b.layer(static_cast<LayerId>(i));
+      REQUIRE(first.form() == second.form());
+      for (std::size_t v = 0; v < first.form().values(); ++v) {
+        REQUIRE(first.sum(pixel, v) == second.sum(pixel, v));
+        if (first.form().strata) REQUIRE(first.first_sum(pixel, v) == second.first_sum(pixel, v));
+      }
+    }
+  });
+}
+
+void check_same(const RenderState& a, const RenderState& b) {
+  check_same(a.film, b.film);
+  CHECK(a.done == b.done);
+  CHECK(a.rays.total() == b.rays.total());
+  CHECK(a.rays.light == b.rays.light);
+  CHECK(a.rays.splats == b.rays.splats);
+  CHECK(a.rays.photons == b.rays.photons);
+}
+
+} // namespace
+
+TEST_CASE("one range after the other gives the sums of all samples at once") {
+  for (const bool errors : {false, true}) {
+    Scene scene = glass("integrator whitted");
+    scene.settings.keep_errors = errors;
+    const Stage s = stage(scene, 16);
+    RenderState state = s.begin();
+    CHECK(s.render_range({0, 8}, state));
+    CHECK(state.done == 8);
+    CHECK(state.film.samples(20, 12) == 8);
+    CHECK(s.render_range({8, 11}, state));
+    CHECK(s.render_range({8, 11}, state)); // nothing is rendered twice
+    CHECK(s.render_range({11, 16}, state));
+    check_same(state, s.all());
+  }
+}
+
+// A pass of light paths is for 16 samples: ranges end at its end, and within it.
+TEST_CASE("ranges give the same sums with light passes") {
+  for (const char* camera : {"integrator path", "integrator path aperture 0.2 focusDistance 5"}) {
+    const Stage s = stage(glass(camera), 40);
+    REQUIRE(s.plan.caustics);
+    const RenderState whole = s.all();
+    CHECK(whole.light.passes == 3);
+    CHECK(whole.film.find(kSplats).has_value() == (camera == std::string("integrator path")));
+    for (const int cut : {16, 32, 8, 21}) {
+      INFO(cut);
+      RenderState state = s.begin();
+      CHECK(s.render_range({0, cut}, state));
+      CHECK(s.render_range({cut, 40}, state));
+      check_same(state, whole);
+    }
+  }
+}
+
+TEST_CASE("films of ranges that were rendered apart merge into that of all samples") {
+  Scene scene = glass("integrator path caustics off");
+  scene.settings.keep_errors = true;
+  const Stage s = stage(scene, 16);
+  RenderState early = s.begin(), late = s.begin();
+  CHECK(s.render_range({8, 16}, late));
+  CHECK(late.film.samples(20, 12) == 8);
+  CHECK(s.render_range({0, 8}, early));
+  const RenderState whole = s.all();
+  merge(early.film, late.film);
+  check_same(early.film, whole.film);
+}
+
+TEST_CASE("a rendering that was stopped goes on as if it had not been") {
+  struct Case {
+    const char* settings;
+    AdaptiveSampling adaptive;
+    double noise;
+  };
+  int stops = 0;
+  for (const auto& [settings, adaptive, noise] :
+       {Case{"integrator whitted", AdaptiveSampling::off, 0.0},
+        Case{"integrator path", AdaptiveSampling::off, 0.0},
+        Case{"integrator path", AdaptiveSampling::on, 0.0},
+        Case{"integrator path", AdaptiveSampling::off, 0.05}}) {
+    INFO(settings << " " << static_cast<int>(adaptive) << " " << noise);
+    Scene scene = glass(settings);
+    scene.settings.adaptive = adaptive;
+    scene.settings.noise = noise;
+    const Stage s = stage(scene, 48);
+    const RenderState whole = s.all();
+    RenderState state = s.begin();
+    const SampleRange all{0, 48};
+    std::atomic<bool> stop = true; // before anything is done
+    CHECK_FALSE(s.render_range(all, state, {.stop = &stop}));
+    bool complete = false;
+    for (int i = 0; i < 200 && !complete; ++i) { // anywhere, in light passes too
+      stop = false;
+      const std::jthread stopper([&] {
+        std::this_thread::sleep_for(std::chrono::microseconds(200 + 100 * i));
+        stop = true;
+      });
+      complete = s.render_range(all, state, {.stop = &stop});
+      stops += complete ? 0 : 1;
+    }
+    CHECK(s.render_range(all, state));
+    check_same(state, whole);
+  }
+  CHECK(stops > 4);
+}
+
+TEST_CASE("a rendering in one call is that of all samples") {
+  const Stage s = stage(glass("integrator path"), 20);
+  const Rendering rendering = render(s.scene, s.plan, s.world, BandPlace{});
+  CHECK(rendering.complete);
+  CHECK(rendering.open_tiles == 0);
+  check_same(rendering.film, s.all().film);
+  CHECK(render(s.scene, s.plan, s.world).film.bands() == 0);
+}
