@@ -109,8 +109,8 @@ bool Fan::all_would_leave(BandRange range) const {
 /// A path that meets something that mirrors or refracts takes parted directions along, over ways
 /// not known yet.
 bool Fan::goes_on_behind(const Hit& hit) const {
-  const MaterialPlan& material = plan_.materials[hit.material.index()];
-  return material.reflects || material.transmits;
+  const BsdfFacts facts = plan_.materials[hit.material.index()].facts();
+  return facts.reflects || facts.transmits;
 }
 
 /// The angle between the rays of the outermost bands, with what earlier surfaces have done.

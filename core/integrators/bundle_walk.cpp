@@ -38,7 +38,7 @@ dvec2 BundleWalk::numbers(SamplePurpose purpose) const {
 
 const MaterialPlan& BundleWalk::find_material() {
   material_ = &plan_.materials[bundle_.hit.material.index()];
-  if (material_->mixed()) material_ = &part_of(plan_, *material_, numbers(kSurfaceChoice).y);
+  if (material_->mixture) material_ = &part_of(plan_, *material_, numbers(kSurfaceChoice).y);
   return *material_;
 }
 

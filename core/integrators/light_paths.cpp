@@ -91,7 +91,7 @@ bool LightPaths::go_on() {
   const MaterialPlan& material = find_material();
   // Light that is spread at once, from its lamp or again, is the camera paths' to find.
   const bool at_once = bundle_.depth == 0 || bundle_.density > 0.0;
-  if (at_once && !material.specular_part()) return false;
+  if (at_once && !material.facts().specular()) return false;
   prepare_scattering();
   if (!at_once) {
     if (camera_ && scattering_.spreads()) splat(hit);
@@ -99,7 +99,7 @@ bool LightPaths::go_on() {
     const MaterialPlan& whole = plan_.materials[hit.material.index()];
     const bool first = bundle_.spreads == 0;
     if (camera_ && first && scattering_.spreads()) go_on_from_spread(hit);
-    if (photons_ && first && (whole.mixed() ? whole.lit : scattering_.spreads())) keep(hit);
+    if (photons_ && first && (whole.mixture ? whole.lit() : scattering_.spreads())) keep(hit);
   }
   const auto [kind, chance] =
       scattering_.choose_specular(scattering_.certain() ? 0.0 : numbers(kScatter).x);

@@ -98,12 +98,10 @@ bool Path::go_on() {
   case ScatterKind::spread:
     break;
   }
-  const auto direction = scattering_.sample(numbers(kDirection),
-                                            scattering_.has_lobes() ? numbers(kLobe) : dvec2(0.0));
-  if (!direction) return false;
-  const double density = scattering_.evaluate(*direction, light_.data());
-  if (!(density > 0.0)) return false;
-  return spread(*direction, light_.data(), density, scattering_.spread_chance() / on.chance);
+  const auto next = scattering_.sample(
+      numbers(kDirection), scattering_.has_lobes() ? numbers(kLobe) : dvec2(0.0), light_.data());
+  if (!next) return false;
+  return spread(next->direction, light_.data(), next->pdf, scattering_.spread_chance() / on.chance);
 }
 
 /// How the path goes on. Where the camera sees a surface itself, or by way of mirrors and glass,

@@ -1,8 +1,7 @@
 #include "core/integrators/shadow.h"
 
 #include "core/integrators/absorption.h"
-#include "core/scattering/dielectric.h"
-#include "core/scattering/material_optics.h"
+#include "core/scattering/surface_incidence.h"
 
 #include <algorithm>
 
@@ -44,9 +43,10 @@ bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
     // The way may end on a lamp that glows; whether it does, rounding must not decide.
     if (material.emission_source >= 0 && !world_.occluded(state, distance)) return true;
     if (!plan_.unseen(hit)) {
-      if (!material.transmits || plan_.settings.shadows == ShadowRule::opaque) return false;
+      const BsdfFacts facts = material.facts();
+      if (!facts.transmits || plan_.settings.shadows == ShadowRule::opaque) return false;
       // The path tracer finds what comes through rough glass by scattering.
-      if (material.roughness > 0.0 && plan_.settings.integrator == Integrator::path) return false;
+      if (facts.rough && plan_.settings.integrator == Integrator::path) return false;
       const double cos_i = std::min(1.0, std::abs(glm::dot(hit.normal, state.ray.direction)));
       pass(material, hit, cos_i, first, last, wavelengths, transmittance_);
       through_glass_ = true;
@@ -61,19 +61,13 @@ bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
 /// A mixture lets through the mean of what its parts do.
 void ShadowRays::pass(const MaterialPlan& material, const Hit& hit, double cos_i, int first,
                       int last, PathWavelengths& wavelengths, std::vector<float>& light) {
-  if (!material.mixed()) {
-    if (!material.transmits)
-      std::fill(light.begin() + first, light.begin() + last, 0.0f);
-    else if (material.film >= 0)
-      attenuate_straight(
-          material_optics(material, hit.medium_before, hit.medium_after, wavelengths), cos_i, first,
-          last, light.data());
-    else
-      attenuate_straight(material, cos_i, wavelengths.indices(hit.medium_before),
-                         wavelengths.indices(hit.medium_after), first, last, light.data());
+  if (!material.mixture) {
+    Incidence in = surface_incidence(material.bsdf, hit, {first, last}, wavelengths);
+    in.wo = {0.0, 0.0, cos_i};
+    pass_straight(material.bsdf, in, light.data());
     return;
   }
-  const MixturePlan& mix = material.mixture;
+  const MixturePlan& mix = *material.mixture;
   std::vector<float> other = light;
   pass(plan_.materials[static_cast<std::size_t>(mix.first)], hit, cos_i, first, last, wavelengths,
        light);

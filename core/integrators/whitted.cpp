@@ -2,11 +2,9 @@
 
 #include "core/bands/band_math.h"
 #include "core/emitters/illumination.h"
-#include "core/optics/coated_diffuse.h"
 #include "core/optics/fresnel.h"
-#include "core/scattering/conductor.h"
-#include "core/scattering/material_optics.h"
 #include "core/scattering/surface_finish.h"
+#include "core/scattering/surface_incidence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,12 +24,9 @@ Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, const
                  double pixel_angle)
     : scene_(scene), plan_(plan), world_(world), lamps_(lamps), wavelengths_(plan),
       fan_(plan, world, pixel_angle), shadow_rays_(plan, world),
-      single_scatter_(scene, plan, world), ones_(1.0f, plan.grid.count()),
-      textured_(0.0f, plan.grid.count()), throughput_(plan.stride), lit_(plan.stride),
-      coated_(plan.stride) {
-  scatter_.reflected.resize(plan.stride);
-  scatter_.transmitted.resize(plan.stride);
-}
+      single_scatter_(scene, plan, world), reflected_(plan.stride), transmitted_(plan.stride),
+      ones_(1.0f, plan.grid.count()), textured_(0.0f, plan.grid.count()), throughput_(plan.stride),
+      lit_(plan.stride), coated_(plan.stride) {}
 
 Bundle& Whitted::push(int first, int last, const float* throughput, float factor) {
   if (waiting_.size() == waiting_count_) {
@@ -67,7 +62,7 @@ void Whitted::trace(const CameraPaths& start, const Sampler& sampler, RadianceSu
       continue;
     }
     const MaterialPlan* material = &plan_.materials[bundle.hit.material.index()];
-    if (material->mixed()) material = &part_of(plan_, *material, decisions_.next());
+    if (material->mixture) material = &part_of(plan_, *material, decisions_.next());
     shade(bundle, *material, sums, counts);
     if (bundle.depth < plan_.settings.max_depth) scatter(bundle, *material, u.y, counts);
   }
@@ -86,7 +81,7 @@ void Whitted::shade(const Bundle& bundle, const MaterialPlan& material, Radiance
   const Hit& hit = bundle.hit;
   if (material.emits(hit)) add(material.emission_source, ones_);
   if (!material.ambient.zero()) add(Plan::kAmbient, material.ambient);
-  if (material.lit) add_lamps(bundle, material, sums, counts);
+  if (material.lit()) add_lamps(bundle, material, sums, counts);
 }
 
 /// What arrives of a lamp's light, `lit_`, sent back by a coated ground, with lambert's cosine. The
@@ -94,10 +89,11 @@ void Whitted::shade(const Bundle& bundle, const MaterialPlan& material, Radiance
 const float* Whitted::diffuse_under_coat(const Bundle& bundle, const MaterialPlan& material,
                                          const BandTable& diffuse, double cos_o, double cos_i) {
   const auto at = [](double mu) { return dvec3{std::sqrt(std::max(0.0, 1.0 - mu * mu)), 0.0, mu}; };
-  const SurfaceOptics optics =
-      material_optics(material, bundle.hit.medium_before, bundle.hit.medium_after, wavelengths_);
-  (void)evaluate_coated_diffuse({diffuse.data(), std::nullopt, nullptr}, optics, at(cos_o),
-                                at(cos_i), {bundle.first, bundle.last}, coated_.data());
+  Incidence in =
+      surface_incidence(material.bsdf, bundle.hit, {bundle.first, bundle.last}, wavelengths_);
+  in.wo = at(cos_o);
+  in.ground = diffuse.data();
+  (void)evaluate(material.bsdf, in, at(cos_i), coated_.data());
   for (int b = bundle.first; b < bundle.last; ++b)
     coated_[static_cast<std::size_t>(b)] *= lit_[static_cast<std::size_t>(b)];
   return coated_.data();
@@ -109,6 +105,7 @@ void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, Radi
   const BandTable& diffuse = diffuse_at(plan_, world_, material, hit, textured_);
   const dvec3 to_eye = -bundle.state.ray.direction;
   const dvec3 normal = hit.entering ? hit.normal : -hit.normal;
+  const bool coated = facts_of(material.bsdf).coats;
   for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
     const Illumination light = illumination(scene_.lights[i], hit.point);
     const double lambert = glm::dot(light.direction, normal);
@@ -120,7 +117,7 @@ void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, Radi
     for (int b = bundle.first; b < bundle.last; ++b)
       lit_[static_cast<std::size_t>(b)] = throughput_[static_cast<std::size_t>(b)] * arriving[b];
     const int source = plan_.light_source(i);
-    if (material.coat >= 0 && !diffuse.zero())
+    if (coated && !diffuse.zero())
       sums.add(source,
                diffuse_under_coat(bundle, material, diffuse,
                                   std::min(1.0, glm::dot(to_eye, normal)), std::min(1.0, lambert)),
@@ -129,12 +126,11 @@ void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, Radi
     else if (!diffuse.zero())
       sums.add(source, lit_.data(), diffuse, static_cast<float>(light.strength * lambert),
                bundle.first, bundle.last);
-    if (!material.specular.zero()) {
+    if (material.phong.present()) {
       const dvec3 half = glm::normalize(to_eye + light.direction);
-      const double phong = std::pow(std::max(0.0, glm::dot(half, normal)),
-                                    static_cast<double>(material.specular_exponent));
-      sums.add(source, lit_.data(), material.specular, static_cast<float>(light.strength * phong),
-               bundle.first, bundle.last);
+      const double phong = material.phong.strength(glm::dot(half, normal));
+      sums.add(source, lit_.data(), material.phong.reflectance,
+               static_cast<float>(light.strength * phong), bundle.first, bundle.last);
     }
   }
 }
@@ -156,33 +152,14 @@ double Whitted::chance(double importance, BandRange bands) const {
 
 void Whitted::scatter(const Bundle& bundle, const MaterialPlan& material, double choice,
                       RayCounts& counts) {
+  const BsdfFacts facts = facts_of(material.bsdf);
+  if (!facts.reflects && !facts.transmits) return;
   const Hit& hit = bundle.hit;
-  if (!material.reflects && !material.transmits) return;
-  const double cos_i = std::min(1.0, std::abs(glm::dot(hit.normal, bundle.state.ray.direction)));
-  if (material.film >= 0 || material.coat >= 0) {
-    const SurfaceOptics optics =
-        material_optics(material, hit.medium_before, hit.medium_after, wavelengths_);
-    scatter_smooth(optics, cos_i, bundle.first, bundle.last, Transport::radiance,
-                   scatter_.reflected.data(),
-                   material.transmits ? scatter_.transmitted.data() : nullptr);
-    if (material.reflects) reflect(bundle, scatter_.reflected.data(), counts);
-    if (material.transmits) refract(bundle, choice, counts);
-    return;
-  }
-  if (material.conductor) {
-    reflect_conductor(material, cos_i, wavelengths_.indices(hit.medium_before), bundle.first,
-                      bundle.last, scatter_.reflected.data());
-    reflect(bundle, scatter_.reflected.data(), counts);
-    return;
-  }
-  if (!material.dielectric) {
-    reflect(bundle, material.reflectivity.data(), counts);
-    return;
-  }
-  scatter_dielectric(material, cos_i, wavelengths_.indices(hit.medium_before),
-                     wavelengths_.indices(hit.medium_after), bundle.first, bundle.last, scatter_);
-  if (material.reflects) reflect(bundle, scatter_.reflected.data(), counts);
-  if (material.transmits) refract(bundle, choice, counts);
+  Incidence in = surface_incidence(material.bsdf, hit, {bundle.first, bundle.last}, wavelengths_);
+  in.wo = {0.0, 0.0, std::abs(glm::dot(hit.normal, bundle.state.ray.direction))};
+  specular_factors(material.bsdf, in, {reflected_.data(), transmitted_.data()});
+  if (facts.reflects) reflect(bundle, reflected_.data(), counts);
+  if (facts.transmits) refract(bundle, choice, counts);
 }
 
 void Whitted::reflect(const Bundle& bundle, const float* factors, RayCounts& counts) {
@@ -205,8 +182,8 @@ void Whitted::reflect(const Bundle& bundle, const float* factors, RayCounts& cou
 
 void Whitted::refract(const Bundle& bundle, double choice, RayCounts& counts) {
   for (int b = bundle.first; b < bundle.last; ++b)
-    lit_[static_cast<std::size_t>(b)] = throughput_[static_cast<std::size_t>(b)] *
-                                        scatter_.transmitted[static_cast<std::size_t>(b)];
+    lit_[static_cast<std::size_t>(b)] =
+        throughput_[static_cast<std::size_t>(b)] * transmitted_[static_cast<std::size_t>(b)];
   // Bands under total reflection, and those without power, have no refracted ray. What remains is
   // one run of bands as a rule, and more where n(lambda) turns.
   const auto passes = [&](int b) { return lit_[static_cast<std::size_t>(b)] > 0.0f; };

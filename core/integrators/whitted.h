@@ -5,7 +5,7 @@
 #include "core/integrators/shadow.h"
 #include "core/integrators/single_scatter.h"
 #include "core/lamps/lamps.h"
-#include "core/scattering/dielectric.h"
+#include "core/plan/plan.h"
 
 #include <vector>
 
@@ -52,7 +52,7 @@ private:
   Fan fan_;
   ShadowRays shadow_rays_;
   SingleScatter single_scatter_;
-  DielectricScatter scatter_;
+  std::vector<float> reflected_, transmitted_; ///< of the surface being shaded
   BandTable ones_, textured_;
   DecisionStream decisions_;
 
