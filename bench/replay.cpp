@@ -38,8 +38,8 @@ const char* name(RayKind kind) {
     return "reflected";
   case RayKind::refracted:
     return "refracted";
-  case RayKind::spread:
-    return "spread";
+  case RayKind::scattered:
+    return "scattered";
   case RayKind::shadow:
     return "shadow";
   case RayKind::light:

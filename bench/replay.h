@@ -7,8 +7,8 @@
 
 namespace abbe::bench {
 
-inline constexpr std::array kRayKinds{RayKind::camera, RayKind::reflected, RayKind::refracted,
-                                      RayKind::spread, RayKind::shadow,    RayKind::light};
+inline constexpr std::array kRayKinds{RayKind::camera,    RayKind::reflected, RayKind::refracted,
+                                      RayKind::scattered, RayKind::shadow,    RayKind::light};
 inline constexpr std::array kPacketWidths{1, 4, 8, 16};
 
 [[nodiscard]] const char* name(RayKind kind);

@@ -18,8 +18,8 @@ Json json(const std::optional<T>& value) {
 }
 
 Json json(const RayCounts& c) {
-  return {{"camera", c.camera}, {"reflected", c.reflected}, {"refracted", c.refracted},
-          {"spread", c.spread}, {"shadow", c.shadow},       {"light", c.light}};
+  return {{"camera", c.camera},       {"reflected", c.reflected}, {"refracted", c.refracted},
+          {"scattered", c.scattered}, {"shadow", c.shadow},       {"light", c.light}};
 }
 
 Json json(const Machine& m) {

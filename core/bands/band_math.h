@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/bands/band_span.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -70,24 +72,26 @@ inline float largest(const Lanes& lanes) {
 }
 
 /// The largest of 0 and values[b].
-[[nodiscard]] inline float largest_of(const float* values, int first, int last) {
+[[nodiscard]] inline float largest_of(BandSpan<const float> values) {
+  const auto [first, last] = values.bands;
   if (last - first == 1) return values[first] > 0.0f ? values[first] : 0.0f;
   const auto step = [](auto lane, auto x, auto) { return x > lane ? x : lane; };
-  return band_math::largest(band_math::over_lanes(values, values, first, last, step));
+  return band_math::largest(band_math::over_lanes(values.data, values.data, first, last, step));
 }
 
-/// The largest of 0 and a[b] * c[b].
-[[nodiscard]] inline float largest_product(const float* a, const float* c, int first, int last) {
+/// The largest of 0 and a[b] * c[b], for the bands of `a`.
+[[nodiscard]] inline float largest_product(BandSpan<const float> a, const float* c) {
+  const auto [first, last] = a.bands;
   if (last - first == 1) return a[first] * c[first] > 0.0f ? a[first] * c[first] : 0.0f;
   const auto step = [](auto lane, auto x, auto y) { return x * y > lane ? x * y : lane; };
-  return band_math::largest(band_math::over_lanes(a, c, first, last, step));
+  return band_math::largest(band_math::over_lanes(a.data, c, first, last, step));
 }
 
 /// True when no value is 0 or less.
-[[nodiscard]] inline bool all_above_zero(const float* values, int first, int last) {
+[[nodiscard]] inline bool all_above_zero(BandSpan<const float> values) {
   // A float is positive when its bits, taken as a number, are; those have a least in one step.
   std::int32_t least = 1;
-  for (int b = first; b < last; ++b)
+  for (int b = values.bands.first; b < values.bands.last; ++b)
     least = std::min(least, std::bit_cast<std::int32_t>(values[b]));
   return least > 0;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bands/band_range.h"
+#include "core/bundles/ray_record.h"
 #include "geometry/ray_state.h"
 
 #include <cstddef>
@@ -9,51 +10,61 @@ namespace abbe {
 
 /// A contiguous range of bands that share one ray. Its throughput per band lies beside it.
 struct Bundle {
-  int first = 0, last = 0; ///< bands [first, last)
+  BandRange bands;
   RayState state;
-  Hit hit;                  ///< what the ray meets next; a ray is traced before its bundle is kept
-  int depth = 0;            ///< surfaces met so far
-  double path_length = 0.0; ///< from the camera to the ray's origin
-  double passed = 0.0;      ///< of the ray before its origin, through boundaries that are not seen
-  /// With which the ray's direction was chosen where it was last spread, per steradian; 0 when it
-  /// comes straight from a mirror, a refracting surface, or the camera.
-  double density = 0.0;
-  int spreads = 0;      ///< how many surfaces have spread it
-  int first_spread = 0; ///< how many it had met before the first of them
-  bool spread = false;  ///< the path has met a surface that spreads light: no pixel's width is left
+  RayKind kind = RayKind::camera; ///< what sent the ray
+  bool traced = false;            ///< whether `hit` is known already, see extend.h
+  Hit hit;                        ///< what the ray meets next
+  int depth = 0;                  ///< how many surfaces the path has met so far
+  double path_length = 0.0;       ///< from the camera to the ray's origin
+  /// How much of `path_length` belongs to the ray itself: before its origin it has passed
+  /// boundaries that are not seen.
+  double unseen_length = 0.0;
 
-  // How far apart the rays of its outermost bands have drifted, had each its own ray: in position
-  // at the ray's origin, and in direction. 0 for a single band.
-  double position_spread = 0.0;
-  double direction_spread = 0.0;
+  /// The solid-angle density with which the ray's direction was sampled from a BSDF; 0 after a
+  /// specular reflection or refraction, and for a ray of the camera.
+  double pdf = 0.0;
+  int nonspecular_bounces = 0;     ///< how many surfaces have scattered it other than specularly
+  int first_nonspecular_depth = 0; ///< its depth before the first of them
+  /// Whether a pixel's width tells which rays are close together. That is lost where a surface
+  /// scatters the path other than specularly, and no light path has it.
+  bool has_pixel_footprint = true;
 
-  [[nodiscard]] int bands() const { return last - first; }
+  // How far the rays of its outermost bands would have moved apart by now, had each its own. Both
+  // are 0 for a single band.
+  double separation = 0.0; ///< of their origins
+  double divergence = 0.0; ///< of their directions
 };
 
 /// Makes `next`, which may be `bundle` itself, set off from its hit along a direction, untraced.
-/// `through`: to the other side of the surface. Its bands and density are the caller's.
-inline void set_off(const Bundle& bundle, const dvec3& direction, bool through, Bundle& next) {
+/// `through` tells whether it goes to the other side of the surface. Its bands are the caller's,
+/// and so is its pdf where the direction is not specular.
+inline void set_off(const Bundle& bundle, const dvec3& direction, bool through, RayKind kind,
+                    Bundle& next) {
   const Hit& hit = bundle.hit;
-  next.position_spread = bundle.position_spread + bundle.direction_spread * hit.t;
-  next.direction_spread = bundle.direction_spread;
+  next.separation = bundle.separation + bundle.divergence * hit.t;
+  next.divergence = bundle.divergence;
   next.path_length = bundle.path_length + hit.t;
-  next.passed = 0.0;
+  next.unseen_length = 0.0;
+  next.pdf = 0.0;
   next.depth = bundle.depth + 1;
-  next.spreads = bundle.spreads;
-  next.first_spread = bundle.first_spread;
-  next.spread = bundle.spread;
+  next.nonspecular_bounces = bundle.nonspecular_bounces;
+  next.first_nonspecular_depth = bundle.first_nonspecular_depth;
+  next.has_pixel_footprint = bundle.has_pixel_footprint;
   next.state.ray = {hit.point, direction};
   next.state.contacts = through ? hit.other_side : hit.same_side;
   next.state.nesting = through ? hit.nesting_after : hit.nesting_before;
+  next.kind = kind;
+  next.traced = false;
 }
 
-/// One of the bundles that a camera sample starts with; its ray and what that meets lie beside it.
-/// A sample's bands have one bundle together, unless a lens has parted them; bands that are not in
-/// any carry nothing.
+/// One of the bundles that a camera sample starts with. Its ray, and what that meets, lie beside
+/// it. The bands of a sample start as one bundle, unless a lens has parted them; bands that are not
+/// in any carry nothing.
 struct CameraBundle {
-  int first = 0, last = 0;                              ///< bands [first, last)
-  float weight = 1.0f;                                  ///< on what its bands carry
-  double position_spread = 0.0, direction_spread = 0.0; ///< as of a Bundle
+  BandRange bands;
+  float weight = 1.0f;                       ///< on what its bands carry
+  double separation = 0.0, divergence = 0.0; ///< as of a Bundle
 };
 
 /// The bundles of one camera sample with their rays, and what those meet.
@@ -65,16 +76,17 @@ struct CameraPaths {
 
   /// Makes `bundle` the bundle number `i` as it starts.
   void begin(std::size_t i, Bundle& bundle) const {
-    bundle.first = bundles[i].first;
-    bundle.last = bundles[i].last;
+    bundle.bands = bundles[i].bands;
     bundle.state = states[i];
+    bundle.kind = RayKind::camera;
+    bundle.traced = true;
     bundle.hit = hits[i];
     bundle.depth = 0;
-    bundle.path_length = bundle.passed = bundle.density = 0.0;
-    bundle.spreads = bundle.first_spread = 0;
-    bundle.spread = false;
-    bundle.position_spread = bundles[i].position_spread;
-    bundle.direction_spread = bundles[i].direction_spread;
+    bundle.path_length = bundle.unseen_length = bundle.pdf = 0.0;
+    bundle.nonspecular_bounces = bundle.first_nonspecular_depth = 0;
+    bundle.has_pixel_footprint = true;
+    bundle.separation = bundles[i].separation;
+    bundle.divergence = bundles[i].divergence;
   }
 };
 

@@ -12,7 +12,7 @@ Fan::Fan(const Plan& plan, const World& world, double pixel_angle)
       states_(2 * static_cast<std::size_t>(plan.grid.count())), hits_(states_.size()),
       ray_of_band_(static_cast<std::size_t>(plan.grid.count())) {}
 
-void Fan::prepare(const Bundle& bundle, int first, int last, PathWavelengths& wavelengths) {
+void Fan::prepare(const Bundle& bundle, BandRange bands, PathWavelengths& wavelengths) {
   incoming_ = &bundle;
   const Hit& hit = bundle.hit;
   const dvec3& direction = bundle.state.ray.direction;
@@ -20,16 +20,16 @@ void Fan::prepare(const Bundle& bundle, int first, int last, PathWavelengths& wa
   cos_i_ = std::min(1.0, std::abs(glm::dot(direction, facing_normal_)));
   n_before_ = wavelengths.indices(hit.medium_before);
   n_after_ = wavelengths.indices(hit.medium_after);
-  std::fill(ray_of_band_.begin() + first, ray_of_band_.begin() + last, -1);
+  std::fill(ray_of_band_.begin() + bands.first, ray_of_band_.begin() + bands.last, -1);
   ray_count_ = traced_count_ = 0;
   cells_.clear();
   // Snell's law, differentiated: a small change of the incoming direction comes out scaled by
   // n_i cos i / (n_t cos t).
-  const int middle = (first + last) / 2;
+  const int middle = (bands.first + bands.last) / 2;
   const double eta = n_after_[middle] / n_before_[middle];
   const double cos_t = refracted_cosine(cos_i_, eta).value_or(0.0);
-  position_spread_ = bundle.position_spread + bundle.direction_spread * hit.t;
-  carried_direction_spread_ = bundle.direction_spread * cos_i_ / std::max(eta * cos_t, 1e-3);
+  separation_ = bundle.separation + bundle.divergence * hit.t;
+  divergence_ = bundle.divergence * cos_i_ / std::max(eta * cos_t, 1e-3);
 }
 
 dvec3 Fan::refracted_direction(double n_before, double n_after) const {
@@ -38,7 +38,7 @@ dvec3 Fan::refracted_direction(double n_before, double n_after) const {
   return refracted(incoming_->state.ray.direction, facing_normal_, cos_i_, cos_t, eta);
 }
 
-/// The incoming ray refracted; its number.
+/// Adds the incoming ray, refracted between these two indices, and returns its number.
 std::size_t Fan::add_ray(double n_before, double n_after) {
   const Hit& hit = incoming_->hit;
   RayState& state = states_[ray_count_];
@@ -75,25 +75,21 @@ void Fan::trace_new_rays(RayCounts& counts) {
 
 void Fan::add_band(int band, float weight) {
   const auto ray = static_cast<std::size_t>(ray_of_band_[static_cast<std::size_t>(band)]);
-  cells_.push_back({band, band + 1, weight, false, &states_[ray], &hits_[ray]});
+  cells_.push_back({{band, band + 1}, weight, false, &states_[ray], &hits_[ray]});
 }
 
 FanCell& Fan::add_shared_ray(BandRange range, double n_before, double n_after) {
   const std::size_t ray = add_ray(n_before, n_after);
-  return cells_.emplace_back(FanCell{range.first, range.last, 1.0f, true, &states_[ray],
-                                     &hits_[ray], position_spread_, carried_direction_spread_});
+  return cells_.emplace_back(
+      FanCell{range, 1.0f, true, &states_[ray], &hits_[ray], separation_, divergence_});
 }
 
 void Fan::add_shared(BandRange range, PathWavelengths& wavelengths) {
   const Hit& hit = incoming_->hit;
   const double parted = glm::distance(direction_of(range.first), direction_of(range.last - 1));
-  add_shared_ray(range, wavelengths.shared_index(hit.medium_before, range.first, range.last),
-                 wavelengths.shared_index(hit.medium_after, range.first, range.last))
-      .direction_spread += parted;
-}
-
-void Fan::add_undivided(BandRange range) {
-  add_shared_ray(range, n_before_[range.first], n_after_[range.first]);
+  add_shared_ray(range, wavelengths.shared_index(hit.medium_before, range),
+                 wavelengths.shared_index(hit.medium_after, range))
+      .divergence += parted;
 }
 
 /// A band that shares another's ray into a denser medium meets the parallel face behind it with
@@ -106,8 +102,8 @@ bool Fan::all_would_leave(BandRange range) const {
   return cos_i_ * cos_i_ > 1.0 - ratio * ratio;
 }
 
-/// A path that meets something that mirrors or refracts takes parted directions along, over ways
-/// not known yet.
+/// A path that meets something that mirrors or refracts takes parted directions along, over
+/// distances that are not known yet.
 bool Fan::goes_on_behind(const Hit& hit) const {
   const BsdfFacts facts = plan_.materials[hit.material.index()].facts();
   return facts.reflects || facts.transmits;
@@ -115,7 +111,7 @@ bool Fan::goes_on_behind(const Hit& hit) const {
 
 /// The angle between the rays of the outermost bands, with what earlier surfaces have done.
 double Fan::parted(BandRange range) const {
-  return carried_direction_spread_ +
+  return divergence_ +
          glm::distance(refracted_direction(n_before_[range.first], n_after_[range.first]),
                        refracted_direction(n_before_[range.last - 1], n_after_[range.last - 1]));
 }
@@ -124,30 +120,29 @@ double Fan::parted(BandRange range) const {
 bool Fan::may_share(BandRange range) const {
   if (!all_would_leave(range)) return false;
   const Hit &a = hit_of(range.first), &b = hit_of(range.last - 1);
-  const double apart = carried_direction_spread_ +
-                       glm::distance(direction_of(range.first), direction_of(range.last - 1));
+  const double apart =
+      divergence_ + glm::distance(direction_of(range.first), direction_of(range.last - 1));
   if (!a.met() && !b.met()) return apart <= tolerance_;
   if (!a.met() || a.shape != b.shape || a.face != b.face) return false;
   if (goes_on_behind(a) && apart > tolerance_) return false;
-  const double way = std::max(a.t, b.t);
-  const double spread =
-      position_spread_ + carried_direction_spread_ * way + glm::distance(a.point, b.point);
-  return spread <= tolerance_ * (incoming_->path_length + incoming_->hit.t + way);
+  const double length = std::max(a.t, b.t);
+  const double separation = separation_ + divergence_ * length + glm::distance(a.point, b.point);
+  return separation <= tolerance_ * (incoming_->path_length + incoming_->hit.t + length);
 }
 
 /// How many sub-bundles of a range may be followed. The noise of a branch kept as m of them goes as
 /// importance^2 / m and its cost as m, so the least noise for a given cost is had with m in
 /// proportion to importance.
-std::size_t Fan::sub_bundles_allowed(BandRange range, double importance) const {
+std::size_t Fan::sub_bundles_allowed(BandRange range) const {
   if (plan_.follows_all()) return static_cast<std::size_t>(range.size());
-  const double share = plan_.settings.max_fan * plan_.shares.of(range) * std::min(importance, 1.0);
+  const double share =
+      plan_.settings.max_fan * plan_.shares.of(range) * std::min(limits_.importance, 1.0);
   return static_cast<std::size_t>(std::max(1.0, std::round(share)));
 }
 
 /// The rule where no pixel's width says what is close together: equal parts, as many as allowed.
-void Fan::cut(BandRange whole, double importance) {
-  const int parts =
-      std::min(static_cast<int>(sub_bundles_allowed(whole, importance)), whole.size());
+void Fan::cut(BandRange whole) {
+  const int parts = std::min(static_cast<int>(sub_bundles_allowed(whole)), whole.size());
   strata_.clear();
   for (BandRange rest = whole; !rest.empty();) {
     const int left = parts - static_cast<int>(strata_.size());
@@ -177,81 +172,89 @@ bool Fan::part_by_directions(BandRange whole, std::size_t most, RayCounts& count
   for (const BandRange& r : strata_)
     if (r.size() > 1 && parted(r) <= tolerance_) return false;
   for (const BandRange& r : strata_)
-    want(plan_.shares.keep_one(r, choice_).band);
+    want(plan_.shares.keep_one(r, limits_.choice).band);
   trace_new_rays(counts);
   return std::all_of(strata_.begin(), strata_.end(), [&](const BandRange& r) {
-    const Hit& hit = hit_of(plan_.shares.keep_one(r, choice_).band);
+    const Hit& hit = hit_of(plan_.shares.keep_one(r, limits_.choice).band);
     return !hit.met() || goes_on_behind(hit);
   });
 }
 
-/// Halves ranges of bands, all of one size before the next smaller, until each may share a ray or
-/// the path's share of sub-bundles is used up.
-void Fan::part(BandRange whole, double importance, PathWavelengths& wavelengths,
-               RayCounts& counts) {
-  const std::size_t most = sub_bundles_allowed(whole, importance);
+/// Rays of the outermost bands of each range, traced together, tell whether it may share one.
+struct Fan::Judge {
+  Fan& fan;
+  RayCounts& counts;
+
+  void prepare(std::span<const BandRange> ranges) {
+    for (const BandRange& r : ranges) {
+      fan.want(r.first);
+      fan.want(r.last - 1);
+    }
+    fan.trace_new_rays(counts);
+  }
+  [[nodiscard]] BandVerdict judge(BandRange range) const {
+    return range.size() == 1 || fan.may_share(range) ? BandVerdict::together : BandVerdict::apart;
+  }
+};
+
+void Fan::part(BandRange whole, PathWavelengths& wavelengths, RayCounts& counts) {
+  const std::size_t most = sub_bundles_allowed(whole);
   if (part_by_directions(whole, most, counts)) return;
   strata_.clear();
-  ranges_.assign(1, whole);
-  while (!ranges_.empty()) {
-    for (const BandRange& r : ranges_) {
-      want(r.first);
-      want(r.last - 1);
+  for (const BandPart& part : partition_.part(whole, plan_.shares, most, Judge{*this, counts}))
+    switch (part.kind) {
+    case BandPart::Kind::single:
+      add_band(part.bands.first, 1.0f);
+      break;
+    case BandPart::Kind::shared:
+      add_shared(part.bands, wavelengths);
+      break;
+    case BandPart::Kind::represented:
+      strata_.push_back(part.bands);
+      break;
     }
-    trace_new_rays(counts);
-    next_ranges_.clear();
-    std::size_t waiting = ranges_.size();
-    for (const BandRange& r : ranges_) {
-      --waiting;
-      if (r.size() == 1) {
-        add_band(r.first, 1.0f);
-      } else if (may_share(r)) {
-        add_shared(r, wavelengths);
-      } else if (cells_.size() + strata_.size() + next_ranges_.size() + waiting + 2 > most) {
-        strata_.push_back(r);
-      } else {
-        const int middle = plan_.shares.middle(r);
-        next_ranges_.push_back({r.first, middle});
-        next_ranges_.push_back({middle, r.last});
-      }
-    }
-    std::swap(ranges_, next_ranges_);
-  }
 }
 
 /// Of each range that could not be parted further one band goes on for all.
 void Fan::keep_one_of_each_stratum() {
   for (const BandRange& r : strata_) {
-    const auto [band, weight] = plan_.shares.keep_one(r, choice_);
+    const auto [band, weight] = plan_.shares.keep_one(r, limits_.choice);
     want(band);
     add_band(band, weight);
   }
 }
 
-const std::vector<FanCell>& Fan::refract(const Bundle& bundle, int first, int last,
-                                         double importance, PathWavelengths& wavelengths,
-                                         double choice, RayCounts& counts) {
-  prepare(bundle, first, last, wavelengths);
-  choice_ = choice;
-  if (last - first == 1) {
-    want(first);
-    add_band(first, 1.0f);
-    trace_new_rays(counts);
-    return cells_;
+/// The only cell has the only ray, and no hit is needed to know it.
+const std::vector<FanCell>& Fan::untraced() {
+  cells_.front().hit = nullptr;
+  return cells_;
+}
+
+const std::vector<FanCell>& Fan::refract(const Bundle& bundle, BandRange bands,
+                                         const Limits& limits, PathWavelengths& wavelengths,
+                                         RayCounts& counts) {
+  prepare(bundle, bands, wavelengths);
+  limits_ = limits;
+  if (bands.size() == 1) {
+    want(bands.first);
+    add_band(bands.first, 1.0f);
+    return untraced();
   }
   const auto achromatic = [&](MediumId id) { return plan_.medium(id).index.achromatic(); };
   if (achromatic(bundle.hit.medium_before) && achromatic(bundle.hit.medium_after)) {
-    add_undivided({first, last});
-  } else if (plan_.settings.exact) {
-    for (int b = first; b < last; ++b) {
+    add_shared_ray(bands, n_before_[bands.first], n_after_[bands.first]);
+    return untraced();
+  }
+  if (plan_.settings.exact) {
+    for (int b = bands.first; b < bands.last; ++b) {
       want(b);
       add_band(b, 1.0f);
     }
   } else {
-    if (bundle.spread)
-      cut({first, last}, importance);
+    if (bundle.has_pixel_footprint)
+      part(bands, wavelengths, counts);
     else
-      part({first, last}, importance, wavelengths, counts);
+      cut(bands);
     keep_one_of_each_stratum();
   }
   trace_new_rays(counts);
@@ -259,19 +262,20 @@ const std::vector<FanCell>& Fan::refract(const Bundle& bundle, int first, int la
 }
 
 void go_on_as(const FanCell& cell, const Bundle& bundle, Bundle& next) {
-  next.first = cell.first;
-  next.last = cell.last;
+  next.bands = cell.bands;
   next.path_length = bundle.path_length + bundle.hit.t;
   next.state = *cell.state;
-  next.hit = *cell.hit;
+  next.kind = RayKind::refracted;
+  next.traced = cell.hit != nullptr;
   next.depth = bundle.depth + 1;
-  next.passed = 0.0;
-  next.density = 0.0;
-  next.spreads = bundle.spreads;
-  next.first_spread = bundle.first_spread;
-  next.spread = bundle.spread;
-  next.position_spread = cell.position_spread;
-  next.direction_spread = cell.direction_spread;
+  next.unseen_length = 0.0;
+  next.pdf = 0.0;
+  next.nonspecular_bounces = bundle.nonspecular_bounces;
+  next.first_nonspecular_depth = bundle.first_nonspecular_depth;
+  next.has_pixel_footprint = bundle.has_pixel_footprint;
+  next.separation = cell.separation;
+  next.divergence = cell.divergence;
+  if (cell.hit) next.hit = *cell.hit;
 }
 
 } // namespace abbe

@@ -39,10 +39,10 @@ bool LensFan::stopped(BandRange range) {
 
 /// How far the rays of the first, the middle and the last band are apart; nothing where one of them
 /// is stopped. An achromat's colours turn back, so that the outermost alone say too little.
-std::optional<LensFan::Spread> LensFan::spread(BandRange range) {
+std::optional<LensFan::Apart> LensFan::apart(BandRange range) {
   const std::array bands{range.first, (range.first + range.last) / 2, range.last - 1};
   const double focus = camera_.focus_distance();
-  Spread most;
+  Apart most;
   for (std::size_t i = 0; i < bands.size(); ++i) {
     const auto& a = band_ray(bands[i]);
     if (!a) return std::nullopt;
@@ -59,16 +59,15 @@ std::optional<LensFan::Spread> LensFan::spread(BandRange range) {
 }
 
 bool LensFan::may_share(BandRange range) {
-  const auto apart = spread(range);
-  return apart && apart->direction <= direction_limit_ && apart->position <= position_limit_ &&
-         apart->in_focus <= position_limit_;
+  const auto found = apart(range);
+  return found && found->direction <= direction_limit_ && found->position <= position_limit_ &&
+         found->in_focus <= position_limit_;
 }
 
 void LensFan::add(BandRange range, const std::optional<LensRay>& ray, double weight) {
   if (!ray) return;
   CameraBundle& start = bundles_->emplace_back();
-  start.first = range.first;
-  start.last = range.last;
+  start.bands = range;
   start.weight = static_cast<float>(weight * film_ray_.weight * ray->transmittance);
   states_->emplace_back().ray = camera_.to_world(ray->ray);
 }
@@ -77,51 +76,46 @@ void LensFan::add_shared(BandRange range) {
   const auto ray = traced(plan_.shared_wavelength_nm(range.first, range.last, wavelength_.x));
   if (!ray) return;
   add(range, ray, 1.0);
-  const Spread apart = spread(range).value();
+  const Apart found = apart(range).value();
   CameraBundle& bundle = bundles_->back();
-  bundle.position_spread = apart.position / camera_.mm_per_unit();
-  bundle.direction_spread = apart.direction;
+  bundle.separation = found.position / camera_.mm_per_unit();
+  bundle.divergence = found.direction;
 }
 
-/// Halves ranges of bands, all of one size before the next smaller, until each may share a ray or
-/// all sub-bundles are used up.
+/// Rays are traced where they are asked for: nothing is gained by tracing several together.
+struct LensFan::Judge {
+  LensFan& fan;
+
+  void prepare(std::span<const BandRange>) const {}
+  [[nodiscard]] BandVerdict judge(BandRange range) const {
+    if (fan.stopped(range)) return BandVerdict::stopped;
+    return range.size() == 1 || fan.may_share(range) ? BandVerdict::together : BandVerdict::apart;
+  }
+};
+
 void LensFan::part(BandRange whole) {
   const std::size_t most = plan_.follows_all() ? static_cast<std::size_t>(whole.size())
                                                : static_cast<std::size_t>(plan_.settings.max_fan);
-  std::size_t used = 0;
-  ranges_.assign(1, whole);
-  while (!ranges_.empty()) {
-    next_ranges_.clear();
-    std::size_t waiting = ranges_.size();
-    for (const BandRange& r : ranges_) {
-      --waiting;
-      if (stopped(r)) continue;
-      const bool shares = r.size() > 1 && may_share(r);
-      const bool may_part = used + next_ranges_.size() + waiting + 2 <= most;
-      if (r.size() > 1 && !shares && may_part) {
-        const int middle = plan_.shares.middle(r);
-        next_ranges_.push_back({r.first, middle});
-        next_ranges_.push_back({middle, r.last});
-        continue;
-      }
-      ++used;
-      if (r.size() == 1) {
-        add(r, band_ray(r.first), 1.0);
-      } else if (shares) {
-        add_shared(r);
-      } else {
-        const auto [kept, weight] = plan_.shares.keep_one(r, wavelength_.y);
-        add({kept, kept + 1}, band_ray(kept), static_cast<double>(weight));
-      }
+  for (const BandPart& part : partition_.part(whole, plan_.shares, most, Judge{*this}))
+    switch (part.kind) {
+    case BandPart::Kind::single:
+      add(part.bands, band_ray(part.bands.first), 1.0);
+      break;
+    case BandPart::Kind::shared:
+      add_shared(part.bands);
+      break;
+    case BandPart::Kind::represented: {
+      const auto [kept, weight] = plan_.shares.keep_one(part.bands, wavelength_.y);
+      add({kept, kept + 1}, band_ray(kept), static_cast<double>(weight));
+      break;
     }
-    std::swap(ranges_, next_ranges_);
-  }
+    }
 }
 
 void LensFan::sample(const glm::dvec2& position, const glm::dvec2& u_lens,
                      const glm::dvec2& wavelength, std::vector<CameraBundle>& bundles,
                      std::vector<RayState>& states) {
-  const BandRange whole{plan_.first_band, plan_.last_band};
+  const BandRange whole{plan_.live_first, plan_.live_last};
   const auto film_ray = camera_.film_ray(position, u_lens);
   if (!film_ray || whole.size() <= 0) return;
   film_ray_ = *film_ray;

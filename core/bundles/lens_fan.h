@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bundles/band_partition.h"
 #include "core/bundles/bundle.h"
 #include "core/cameras/lens_camera.h"
 #include "core/plan/plan.h"
@@ -10,15 +11,17 @@ namespace abbe {
 
 /// Parts the bands of a camera sample where the lens bends each its own way, by the rules of Fan:
 ///   tolerance: bands share a ray while those of the outermost two, and of the middle one, leave
-///   the
-///     lens close together;
+///     the lens close together;
 ///   roulette: at most `max_fan` sub-bundles start; a range of bands that would need more keeps one
-///   band, chosen by the bands' shares, with the weight of all.
+///     band, chosen by the bands' shares, with the weight of all.
+/// Bands that carry no light do not start, even where the plan carries them: they would move the
+/// borders of the others' ranges.
 ///
-/// Close together means: in direction, less apart than a fraction of the pixel's angle, which holds
-/// for what lies behind the plane of focus; and less apart than the same fraction of the pixel's
-/// width in that plane, both there and at the lens. What lies before the plane is out of focus, and
-/// blurred by more than that. A plane of focus at infinity leaves the first of these alone.
+/// Rays leave the lens close together when their directions differ by less than a fraction of the
+/// pixel's angle, which is what counts behind the plane of focus, and when they are less than the
+/// same fraction of the pixel's width in that plane apart, both there and at the lens. What lies
+/// before the plane is out of focus, and blurred by more than that. Where the plane of focus is at
+/// infinity, only the directions count.
 ///
 /// One object serves one thread.
 class LensFan {
@@ -36,15 +39,18 @@ private:
     std::optional<LensRay> ray;
     bool traced = false;
   };
-  struct Spread {
-    double direction = 0.0;                ///< rad
-    double position = 0.0, in_focus = 0.0; ///< mm, where they leave the lens and farther on
+  /// How far rays are apart where they leave the lens.
+  struct Apart {
+    double direction = 0.0; ///< rad
+    double position = 0.0;  ///< mm
+    double in_focus = 0.0;  ///< mm, in the plane of focus
   };
+  struct Judge;
 
   [[nodiscard]] const std::optional<LensRay>& band_ray(int band);
   [[nodiscard]] std::optional<LensRay> traced(double lambda_nm);
   [[nodiscard]] bool stopped(BandRange range);
-  [[nodiscard]] std::optional<Spread> spread(BandRange range);
+  [[nodiscard]] std::optional<Apart> apart(BandRange range);
   [[nodiscard]] bool may_share(BandRange range);
   void part(BandRange whole);
   void add(BandRange range, const std::optional<LensRay>& ray, double weight);
@@ -59,7 +65,7 @@ private:
   glm::dvec2 wavelength_{0.5};
   std::vector<double> n_; ///< the media's indices at one wavelength
   std::vector<BandRay> band_rays_;
-  std::vector<BandRange> ranges_, next_ranges_;
+  BandPartition partition_;
   std::vector<CameraBundle>* bundles_ = nullptr; ///< where the sample's go
   std::vector<RayState>* states_ = nullptr;
 };

@@ -55,8 +55,9 @@ const double* PathWavelengths::wavelengths_nm() {
   return wavelengths_nm_.indices.data();
 }
 
-double PathWavelengths::shared_index(MediumId medium, int first, int last) const {
-  return plan_.medium(medium).index.at(plan_.shared_wavelength_nm(first, last, offset_));
+double PathWavelengths::shared_index(MediumId medium, BandRange bands) const {
+  return plan_.medium(medium).index.at(
+      plan_.shared_wavelength_nm(bands.first, bands.last, offset_));
 }
 
 } // namespace abbe

@@ -21,8 +21,8 @@ public:
   [[nodiscard]] const double* layer_indices(int layer);
   /// The wavelengths (nm) themselves, per band.
   [[nodiscard]] const double* wavelengths_nm();
-  /// The medium's index for bands [first, last) taken as one, at the path's place in that range.
-  [[nodiscard]] double shared_index(MediumId medium, int first, int last) const;
+  /// The medium's index for a range of bands taken as one, at the path's place in that range.
+  [[nodiscard]] double shared_index(MediumId medium, BandRange bands) const;
 
 private:
   struct Entry {

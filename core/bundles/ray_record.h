@@ -7,8 +7,9 @@
 
 namespace abbe {
 
-/// `spread`: set off from a surface that spreads light, by a density. `light`: from a lamp.
-enum class RayKind : std::uint8_t { camera, reflected, refracted, spread, shadow, light };
+/// What sends a ray. `scattered`: a surface that scatters light other than specularly. `light`: a
+/// lamp.
+enum class RayKind : std::uint8_t { camera, reflected, refracted, scattered, shadow, light };
 
 /// The rays of a rendering in the order in which they were traced, for measurements. It grows by
 /// some 150 bytes a ray and is no place for two threads at once.

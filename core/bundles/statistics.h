@@ -9,13 +9,13 @@ namespace abbe {
 
 /// How many rays were traced, by kind, and what light paths left behind.
 struct RayCounts {
-  std::uint64_t camera = 0, reflected = 0, refracted = 0, spread = 0, shadow = 0, light = 0;
+  std::uint64_t camera = 0, reflected = 0, refracted = 0, scattered = 0, shadow = 0, light = 0;
   std::uint64_t splats = 0, photons = 0; ///< added to the film; kept for the photon map
   RayRecord* record = nullptr; ///< keeps the rays themselves, where somebody wants to know them
 
   /// Of the rays.
   [[nodiscard]] std::uint64_t total() const {
-    return camera + reflected + refracted + spread + shadow + light;
+    return camera + reflected + refracted + scattered + shadow + light;
   }
   [[nodiscard]] std::uint64_t& of(RayKind kind) {
     switch (kind) {
@@ -25,8 +25,8 @@ struct RayCounts {
       return reflected;
     case RayKind::refracted:
       return refracted;
-    case RayKind::spread:
-      return spread;
+    case RayKind::scattered:
+      return scattered;
     case RayKind::shadow:
       return shadow;
     case RayKind::light:
@@ -51,7 +51,7 @@ struct RayCounts {
     camera += other.camera;
     reflected += other.reflected;
     refracted += other.refracted;
-    spread += other.spread;
+    scattered += other.scattered;
     shadow += other.shadow;
     light += other.light;
     splats += other.splats;

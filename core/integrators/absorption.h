@@ -1,11 +1,12 @@
 #pragma once
 
+#include "core/bands/band_span.h"
 #include "core/plan/plan.h"
 
 namespace abbe {
 
-/// Beer-Lambert: multiplies bands [first, last) by exp(-absorption * way). An infinite way through
-/// an absorbing medium leaves nothing.
-void absorb(const MediumPlan& medium, double way, int first, int last, float* throughput);
+/// Applies Beer and Lambert's law: multiplies the throughput by exp(-absorption * length). An
+/// infinite length of an absorbing medium leaves nothing.
+void absorb(const MediumPlan& medium, double length, BandSpan<float> throughput);
 
 } // namespace abbe

@@ -1,81 +1,78 @@
 #pragma once
 
+#include "core/bands/band_table.h"
+#include "core/bundles/extend.h"
 #include "core/bundles/fan.h"
-#include "core/sampling/sampler.h"
-#include "core/scattering/scattering.h"
+#include "core/bundles/waiting_bundles.h"
+#include "core/optics/transport.h"
 
-#include <vector>
+#include <glm/vec2.hpp>
+
+#include <memory>
 
 namespace abbe {
 
-/// What camera paths and light paths have in common: a bundle on its way, others that wait, and
-/// the steps from surface to surface.
+using glm::dvec2;
+
+/// What all paths through a scene have in common, those of both integrators and those of light: one
+/// bundle on its way, others that wait, and the specular steps from a surface to the next.
+///
+/// A path is `while (take()) { extend(); ... }`, where the dots shade: they may let bundles wait,
+/// that on its way among them. See core/bundles/extend.h.
 class BundleWalk {
 protected:
   /// Keeps references. `pixel_angle` is that of Fan.
   BundleWalk(const Plan& plan, const World& world, double pixel_angle, Transport transport);
 
-  /// Starts a sample. The random numbers of its steps come from `sampler`.
-  void begin(const Sampler& sampler, RayCounts& counts);
-  /// Two numbers in [0, 1) for a purpose at the surface that the bundle has met.
-  [[nodiscard]] dvec2 numbers(SamplePurpose purpose) const;
+  /// Starts a path. Of `wavelength`, x is the place inside the bands and y the roulette's number.
+  void begin_path(const dvec2& wavelength, RayCounts& counts);
 
-  /// Room for a bundle of bands [first, last) that waits for its turn, with the current throughput
-  /// times factors per band and a weight. All but its bands is the caller's to fill; what was there
-  /// before is of no use.
-  [[nodiscard]] Bundle& push(int first, int last, const float* factors, double weight);
-  /// Takes up the bundle that was pushed last. False when none waits.
-  bool resume();
-
+  [[nodiscard]] Bundle& bundle() { return carried_->bundle; }
+  [[nodiscard]] const Bundle& bundle() const { return carried_->bundle; }
+  [[nodiscard]] BandSpan<float> throughput() { return carried_->throughput(); }
   /// Multiplies the throughput by factors per band and a weight.
   void scale(const float* factors, double weight);
 
-  /// The material at the bundle's hit; of a mixture one of its parts, chosen at random.
-  const MaterialPlan& find_material();
-  /// Prepares scattering_ for the bundle's hit on the material that was found there last.
-  void prepare_scattering();
+  /// Takes up the bundle that came last to wait. False when none waits.
+  [[nodiscard]] bool take() { return waiting_.take(carried_); }
+  /// Finds what the bundle's ray meets.
+  void extend() { abbe::extend(bundle(), world_, *counts_); }
+  /// The bundle waits for its next turn. Until then there is none on its way.
+  void wait() { waiting_.put(carried_); }
 
-  // Steps from the bundle's hit; scattering_ has been prepared for it. False where the path ends.
-  bool reflect(double chance);
-  bool refract(double chance);
-  /// The reflected ray is traced and waits; the bundle itself stays where it is.
-  void branch_off_reflection(double chance);
-  /// Along a direction to which the surface spreads light, with the factors and the density that
-  /// Scattering gave for it; `weight` makes up for another chance of getting here.
-  bool spread(const dvec3& direction, const float* f_cos, double density, double weight);
+  /// A new bundle of these bands that waits; its throughput is the current one times factors per
+  /// band and a weight. All but its bands is the caller's to fill.
+  [[nodiscard]] Bundle& branch_off(BandRange bands, const float* factors, double weight);
+  /// The same, along the reflected ray of the current bundle's hit.
+  void branch_off_reflection(const float* factors, double weight);
+  /// Sub-bundles that are refracted at the current bundle's hit wait; the current throughput is
+  /// already what passes. Bands of `run` have some; `importance` is what they bring to the picture.
+  void branch_off_refraction(BandRange run, double importance);
+
+  [[nodiscard]] dvec3 reflected_direction() const;
+
+  /// How much of what they meet in a medium bands bring to the picture, when `most` is the largest
+  /// throughput among them and `first` the first of them.
+  [[nodiscard]] double importance(float most, int first, MediumId medium);
+  /// The same for the current bundle.
+  [[nodiscard]] double importance(MediumId medium);
+  /// What bands of this importance bring of the picture's light, up to 1 for all: see BandShares.
+  [[nodiscard]] double share(double importance, BandRange bands) const {
+    return importance * plan_.shares.of(bands);
+  }
 
   const Plan& plan_;
   const World& world_;
   PathWavelengths wavelengths_;
-  Fan fan_;
-  Scattering scattering_;
   BandTable ones_;
   RayCounts* counts_ = nullptr;
 
-  Bundle bundle_;                 ///< on its way
-  std::vector<float> throughput_; ///< of it
-
-  /// As set_off, and traced.
-  void trace_from(const Bundle& from, const dvec3& direction, bool through, RayKind kind,
-                  Bundle& next);
-  /// What the bundle would bring of the picture's light in a medium, up to 1 for all bands: see
-  /// BandShares.
-  [[nodiscard]] double share(MediumId medium);
-
 private:
-  [[nodiscard]] dvec3 reflected_direction() const;
-  bool leave(const dvec3& direction, bool through, RayKind kind);
-  [[nodiscard]] double importance(MediumId medium);
-  bool survives(MediumId medium);
-
   Transport transport_;
-  BandTable textured_; ///< scratch: the diffuse reflectance at the hit
-  const MaterialPlan* material_ = nullptr;
-  const Sampler* sampler_ = nullptr;
+  Fan fan_;
   double band_choice_ = 0.0;
-  std::size_t waiting_count_ = 0;
-  std::vector<Bundle> waiting_;    ///< the first so many wait; the others are room for more
-  std::vector<float> throughputs_; ///< rows of Plan::stride values, one per waiting bundle
+  WaitingBundles waiting_;
+  std::unique_ptr<CarriedBundle> carried_; ///< the bundle on its way
 };
 
 } // namespace abbe

@@ -36,7 +36,7 @@ FilteredPixel filtered_pixel(PixelFilter filter, double place, double u) {
 
 LightPaths::LightPaths(const Plan& plan, const World& world, const Emission& emission,
                        const CameraRays* camera, Film& film)
-    : BundleWalk(plan, world, camera ? camera->pixel_angle() : 0.0, Transport::flux),
+    : RandomWalk(plan, world, camera ? camera->pixel_angle() : 0.0, Transport::flux),
       emission_(emission), camera_(camera), film_(film), to_camera_(plan, world), sums_(plan),
       light_(plan.stride) {}
 
@@ -48,57 +48,57 @@ void LightPaths::trace(const EmittedRay& ray, const Sampler& sampler, double sha
   share_ = share;
   photons_ = photons;
   photon_share_ = photon_share;
-  bundle_ = Bundle{};
-  bundle_.spread = true; // no pixel's width says what is close together
-  bundle_.state = ray.state;
-  const SourcePlan& source = plan_.sources[static_cast<std::size_t>(ray.source)];
-  int first = plan_.first_band, last = plan_.last_band;
-  while (first < last && source.factor[first] == 0.0f)
-    ++first;
-  while (last > first && source.factor[last - 1] == 0.0f)
-    --last;
-  if (first == last) return;
-  bundle_.first = first;
-  bundle_.last = last;
-  for (int b = first; b < last; ++b)
-    throughput_[static_cast<std::size_t>(b)] =
-        source.factor[b] != 0.0f ? plan_.live[static_cast<std::size_t>(b)] : 0.0f;
-  world_.find_closest(bundle_.state, bundle_.hit);
-  counts.add(RayKind::light, bundle_.state);
-  do
-    follow();
-  while (resume());
-}
-
-void LightPaths::follow() {
-  while (bundle_.hit.met() && bundle_.depth < plan_.settings.max_depth)
-    if (!go_on()) return;
-}
-
-bool LightPaths::arrive() {
-  for (;;) {
-    const Hit& hit = bundle_.hit;
-    absorb(plan_.medium(hit.medium_before), hit.t, bundle_.first, bundle_.last, throughput_.data());
-    if (!plan_.unseen(hit)) return true;
-    pass_unseen_boundary(bundle_, world_, *counts_);
-    if (!bundle_.hit.met()) return false;
+  if (!start(ray)) return;
+  wait();
+  while (take()) {
+    extend();
+    shade();
   }
 }
 
-bool LightPaths::go_on() {
-  if (!arrive()) return false;
-  const Hit& hit = bundle_.hit;
+bool LightPaths::start(const EmittedRay& ray) {
+  const SourcePlan& source = plan_.sources[static_cast<std::size_t>(ray.source)];
+  BandRange lit{plan_.first_band, plan_.last_band};
+  while (!lit.empty() && source.factor[lit.first] == 0.0f)
+    ++lit.first;
+  while (!lit.empty() && source.factor[lit.last - 1] == 0.0f)
+    --lit.last;
+  if (lit.empty()) return false;
+  bundle() = Bundle{};
+  bundle().bands = lit;
+  bundle().state = ray.state;
+  bundle().kind = RayKind::light;
+  bundle().has_pixel_footprint = false;
+  const BandSpan<float> row = throughput();
+  for (int b = lit.first; b < lit.last; ++b)
+    row[b] = source.factor[b] != 0.0f ? plan_.live[static_cast<std::size_t>(b)] : 0.0f;
+  return true;
+}
+
+bool LightPaths::arrive() {
+  const Hit& hit = bundle().hit;
+  absorb(plan_.medium(hit.medium_before), hit.t, throughput());
+  if (!plan_.unseen(hit)) return true;
+  pass_unseen_boundary(bundle());
+  return false;
+}
+
+void LightPaths::shade() {
+  const Hit& hit = bundle().hit;
+  if (!hit.met() || bundle().depth >= plan_.settings.max_depth) return;
+  if (!arrive()) return wait();
   const MaterialPlan& material = find_material();
-  // Light that is spread at once, from its lamp or again, is the camera paths' to find.
-  const bool at_once = bundle_.depth == 0 || bundle_.density > 0.0;
-  if (at_once && !material.facts().specular()) return false;
+  // Where light comes straight from its lamp, or has just been scattered, its scattering is the
+  // camera paths' to find.
+  const bool at_once = bundle().depth == 0 || bundle().pdf > 0.0;
+  if (at_once && !material.facts().specular()) return;
   prepare_scattering();
   if (!at_once) {
     if (camera_ && scattering_.spreads()) splat(hit);
     // On a mixture photons are all light that arrives: who looks them up chooses the part.
     const MaterialPlan& whole = plan_.materials[hit.material.index()];
-    const bool first = bundle_.spreads == 0;
-    if (camera_ && first && scattering_.spreads()) go_on_from_spread(hit);
+    const bool first = bundle().nonspecular_bounces == 0;
+    if (camera_ && first && scattering_.spreads()) branch_off_to_specular(hit);
     if (photons_ && first && (whole.mixture ? whole.lit() : scattering_.spreads())) keep(hit);
   }
   const auto [kind, chance] =
@@ -112,19 +112,18 @@ bool LightPaths::go_on() {
   case ScatterKind::spread:
     break;
   }
-  return false;
 }
 
 /// A sub-bundle towards something that mirrors or refracts: what comes that way to a surface that
 /// the camera sees would reach it by rare and strong photons otherwise.
-void LightPaths::go_on_from_spread(const Hit& hit) {
+void LightPaths::branch_off_to_specular(const Hit& hit) {
   const DirectionSample way = towards(emission_.targets(), hit.point, numbers(kDirection));
   if (!(scattering_.evaluate(way.direction, light_.data()) > 0.0)) return;
   const bool through = (glm::dot(way.direction, hit.normal) > 0.0) != hit.entering;
-  Bundle& next = push(bundle_.first, bundle_.last, light_.data(), 1.0 / way.density);
-  trace_from(bundle_, way.direction, through, RayKind::spread, next);
-  next.density = way.density;
-  next.spreads = 1;
+  Bundle& next = branch_off(bundle().bands, light_.data(), 1.0 / way.density);
+  set_off(bundle(), way.direction, through, RayKind::scattered, next);
+  next.pdf = way.density;
+  next.nonspecular_bounces = 1;
 }
 
 /// Connects the surface with the eye. With the pixels' area A at unit distance along the axis, a
@@ -149,27 +148,27 @@ void LightPaths::splat(const Hit& hit) {
   const RayState to_eye{{hit.point, direction},
                         through ? hit.other_side : hit.same_side,
                         through ? hit.nesting_after : hit.nesting_before};
+  const auto [first, last] = bundle().bands;
   const float* arriving = nullptr;
   if (plan_.has_drops) {
-    arriving = to_camera_.transmittance(to_eye, distance, bundle_.first, bundle_.last, wavelengths_,
-                                        *counts_);
+    arriving = to_camera_.transmittance(to_eye, distance, first, last, wavelengths_, *counts_);
     if (!arriving) return;
   } else {
     counts_->add_any_hit(RayKind::shadow, to_eye, distance);
     if (world_.occluded(to_eye, distance)) return;
   }
-  for (int b = bundle_.first; b < bundle_.last; ++b)
-    light_[static_cast<std::size_t>(b)] *=
-        throughput_[static_cast<std::size_t>(b)] * (arriving ? arriving[b] : 1.0f);
+  const float* carried = throughput().data;
+  for (int b = first; b < last; ++b)
+    light_[static_cast<std::size_t>(b)] *= carried[b] * (arriving ? arriving[b] : 1.0f);
   if (!arriving)
-    absorb(plan_.medium(through ? hit.medium_after : hit.medium_before), distance, bundle_.first,
-           bundle_.last, light_.data());
+    absorb(plan_.medium(through ? hit.medium_after : hit.medium_before), distance,
+           {light_.data(), bundle().bands});
   const double cos_c = -glm::dot(direction, camera_->forward());
   const double area = camera_->pixel_angle() * camera_->pixel_angle();
   const double weight =
       flux_ * share_ * column.weight * row.weight / (distance2 * cos_c * cos_c * cos_c * area);
   sums_.clear();
-  sums_.add(source_, light_.data(), ones_, static_cast<float>(weight), bundle_.first, bundle_.last);
+  sums_.add(source_, light_.data(), ones_, static_cast<float>(weight), first, last);
   ++counts_->splats;
   film_.add_splat(column.pixel, row.pixel, sums_.color(),
                   film_.bands() > 0 ? sums_.radiance() : std::span<const float>(),
@@ -179,13 +178,13 @@ void LightPaths::splat(const Hit& hit) {
 void LightPaths::keep(const Hit& hit) {
   Photon photon;
   photon.position = hit.point;
-  photon.direction = bundle_.state.ray.direction;
+  photon.direction = bundle().state.ray.direction;
   photon.normal = hit.entering ? hit.normal : -hit.normal;
-  photon.first = bundle_.first;
-  photon.last = bundle_.last;
+  photon.first = bundle().bands.first;
+  photon.last = bundle().bands.last;
   photon.source = source_;
   ++counts_->photons;
-  photons_->add(photon, throughput_.data() + bundle_.first, flux_ * photon_share_);
+  photons_->add(photon, throughput().data + photon.first, flux_ * photon_share_);
 }
 
 } // namespace abbe

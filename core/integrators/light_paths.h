@@ -3,18 +3,18 @@
 #include "core/cameras/camera.h"
 #include "core/film/film.h"
 #include "core/film/radiance_sums.h"
-#include "core/integrators/bundle_walk.h"
 #include "core/integrators/photon_map.h"
+#include "core/integrators/random_walk.h"
 #include "core/integrators/shadow.h"
 #include "core/lamps/emission.h"
 
 namespace abbe {
 
-/// Light paths: from a lamp by way of mirrors and glass to the first surfaces that spread the
-/// light. There they are connected to the camera (a splat), and kept for the photon map; from there
-/// they may go by mirrors and glass once more, to a surface that the camera sees. One object serves
-/// one thread.
-class LightPaths : private BundleWalk {
+/// Light paths go from a lamp by way of mirrors and glass to the first surfaces that scatter the
+/// light other than specularly. There they are connected to the camera (a splat), and kept for the
+/// photon map; from there they may go by mirrors and glass once more, to a surface that the camera
+/// sees. One object serves one thread.
+class LightPaths : private RandomWalk {
 public:
   /// Keeps references. `camera` is null where what the camera sees cannot be connected to.
   LightPaths(const Plan& plan, const World& world, const Emission& emission,
@@ -26,14 +26,16 @@ public:
              double photon_share, RayCounts& counts);
 
 private:
-  void follow();
-  bool go_on();
-  /// Takes the bundle to what its ray meets, with what the way absorbs. False where that is
-  /// nothing.
+  /// Starts the bundle of a path. False where its lamp has no light in any band.
+  bool start(const EmittedRay& ray);
+  /// Takes the traced bundle to what its ray has met, less what the medium absorbs. False where
+  /// that is a boundary that is not seen: the bundle then goes on behind it, untraced.
   bool arrive();
+  /// Leaves the traced bundle's light where it has arrived. What goes on from there waits.
+  void shade();
   void splat(const Hit& hit);
   void keep(const Hit& hit);
-  void go_on_from_spread(const Hit& hit);
+  void branch_off_to_specular(const Hit& hit);
 
   const Emission& emission_;
   const CameraRays* camera_;

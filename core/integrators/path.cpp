@@ -12,7 +12,7 @@ constexpr double kBranchShare = 1.0 / 32.0;
 
 Path::Path(const Plan& plan, const World& world, const Lamps& lamps,
            const LightPasses* light_passes, double pixel_angle)
-    : BundleWalk(plan, world, pixel_angle, Transport::radiance), lamps_(lamps),
+    : RandomWalk(plan, world, pixel_angle, Transport::radiance), lamps_(lamps),
       photons_(light_passes ? &light_passes->map() : nullptr),
       emission_(light_passes ? &light_passes->emission() : nullptr),
       found_otherwise_(light_passes || plan.settings.shadows == ShadowRule::attenuated),
@@ -21,47 +21,48 @@ Path::Path(const Plan& plan, const World& world, const Lamps& lamps,
 void Path::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
                  RayCounts& counts) {
   begin(sampler, counts);
-  single_scatter_.begin_path(sampler);
+  single_scatter_.begin_path(sampler, wavelengths_, sums, counts);
   sums_ = &sums;
   for (std::size_t i = 0; i < start.count; ++i) {
-    start.begin(i, bundle_);
-    for (auto b = static_cast<std::size_t>(bundle_.first);
-         b < static_cast<std::size_t>(bundle_.last); ++b)
-      throughput_[b] = plan_.live[b] * start.bundles[i].weight;
-    do
-      follow();
-    while (resume());
+    start.begin(i, bundle());
+    const BandSpan<float> row = throughput();
+    for (int b = row.bands.first; b < row.bands.last; ++b)
+      row[b] = plan_.live[static_cast<std::size_t>(b)] * start.bundles[i].weight;
+    wait();
+    while (take()) {
+      extend();
+      shade();
+    }
   }
 }
 
-void Path::follow() {
-  do
-    gather();
-  while (bundle_.hit.met() && bundle_.depth < plan_.settings.max_depth && go_on());
+void Path::shade() {
+  if (!single_scatter_.arrive(bundle(), throughput())) return wait();
+  gather();
+  if (bundle().hit.met() && bundle().depth < plan_.settings.max_depth) go_on();
 }
 
 void Path::gather() {
-  const int first = bundle_.first, last = bundle_.last;
-  single_scatter_.arrive(bundle_, throughput_.data(), wavelengths_, *sums_, *counts_);
-  if (!bundle_.hit.met()) {
+  const auto [first, last] = bundle().bands;
+  if (!bundle().hit.met()) {
     const bool suns = !comes_by_mirrors_and_glass() || !found_otherwise_;
-    lamps_.add_sky(bundle_.state.ray.direction, bundle_.density, suns, throughput_.data(), first,
-                   last, *sums_);
+    lamps_.add_sky(bundle().state.ray.direction, bundle().pdf, suns, throughput().data, first, last,
+                   *sums_);
     return;
   }
-  const Hit& hit = bundle_.hit;
+  const Hit& hit = bundle().hit;
   const MaterialPlan& material = find_material();
   if (!material.emits(hit) || found_otherwise(hit)) return;
   double weight = 1.0;
-  if (bundle_.density > 0.0) {
-    const dvec3 spread_at = bundle_.state.ray.at(-bundle_.passed);
-    weight = bundle_.density / (bundle_.density + lamps_.density(spread_at, hit));
+  if (bundle().pdf > 0.0) {
+    const dvec3 scattered_at = bundle().state.ray.at(-bundle().unseen_length);
+    weight = bundle().pdf / (bundle().pdf + lamps_.density(scattered_at, hit));
   }
-  sums_->add(material.emission_source, throughput_.data(), ones_, static_cast<float>(weight), first,
+  sums_->add(material.emission_source, throughput().data, ones_, static_cast<float>(weight), first,
              last);
 }
 
-/// True for light that goes from a lamp by mirrors and glass to a surface that spreads it, where
+/// True for light that goes from a lamp by mirrors and glass to a surface that scatters it, where
 /// light paths find it, or shadow rays that pass through glass count it in their way.
 bool Path::found_otherwise(const Hit& emitting) const {
   if (!comes_by_mirrors_and_glass() || !found_otherwise_) return false;
@@ -72,16 +73,17 @@ bool Path::found_otherwise(const Hit& emitting) const {
 /// lights that by way of mirrors and glass.
 bool Path::splatted() const {
   if (!photons_->splatted()) return false;
-  return bundle_.depth == 0 ||
-         (comes_by_mirrors_and_glass() && bundle_.spreads == 1 && bundle_.first_spread == 0);
+  return bundle().depth == 0 ||
+         (comes_by_mirrors_and_glass() && bundle().nonspecular_bounces == 1 &&
+          bundle().first_nonspecular_depth == 0);
 }
 
 bool Path::comes_by_mirrors_and_glass() const {
-  return bundle_.spread && bundle_.density == 0.0;
+  return bundle().nonspecular_bounces > 0 && bundle().pdf == 0.0;
 }
 
-bool Path::go_on() {
-  const Hit& hit = bundle_.hit;
+void Path::go_on() {
+  const Hit& hit = bundle().hit;
   prepare_scattering();
   if (scattering_.spreads()) {
     if (!lamps_.empty()) aim_at_a_lamp(hit);
@@ -90,7 +92,7 @@ bool Path::go_on() {
   const Scattering::Choice on = branch();
   switch (on.kind) {
   case ScatterKind::none:
-    return false;
+    return;
   case ScatterKind::reflect:
     return reflect(on.chance);
   case ScatterKind::refract:
@@ -100,8 +102,8 @@ bool Path::go_on() {
   }
   const auto next = scattering_.sample(
       numbers(kDirection), scattering_.has_lobes() ? numbers(kLobe) : dvec2(0.0), light_.data());
-  if (!next) return false;
-  return spread(next->direction, light_.data(), next->pdf, scattering_.spread_chance() / on.chance);
+  if (!next) return;
+  scatter(next->direction, light_.data(), next->pdf, scattering_.spread_chance() / on.chance);
 }
 
 /// How the path goes on. Where the camera sees a surface itself, or by way of mirrors and glass,
@@ -109,11 +111,14 @@ bool Path::go_on() {
 Scattering::Choice Path::branch() {
   if (scattering_.certain()) return scattering_.choose(0.0);
   const double u = numbers(kScatter).x;
-  const double eagerness = bundle_.spread ? 0.0 : share(bundle_.hit.medium_before) / kBranchShare;
+  const double eagerness =
+      bundle().has_pixel_footprint
+          ? share(importance(bundle().hit.medium_before), bundle().bands) / kBranchShare
+          : 0.0;
   const auto [reflect_chance, on] = scattering_.branch(u, eagerness);
   if (reflect_chance == 0.0) return on;
   if (on.kind == ScatterKind::none) return {ScatterKind::reflect, reflect_chance};
-  branch_off_reflection(reflect_chance);
+  branch_off_reflection(scattering_.reflected(), 1.0 / reflect_chance);
   return on;
 }
 
@@ -121,9 +126,9 @@ void Path::aim_at_a_lamp(const Hit& hit) {
   const double choice = lamps_.single() ? 0.0 : numbers(kLamp).x;
   const auto lamp = lamps_.sample(hit.point, choice, numbers(kLampPoint));
   if (!lamp) return;
-  const int first = bundle_.first, last = bundle_.last;
-  const double density = scattering_.evaluate(lamp->direction, light_.data());
-  if (!(density > 0.0)) return;
+  const auto [first, last] = bundle().bands;
+  const double pdf = scattering_.evaluate(lamp->direction, light_.data());
+  if (!(pdf > 0.0)) return;
   const bool outwards = glm::dot(lamp->direction, hit.normal) > 0.0;
   const bool through = outwards != hit.entering;
   const RayState towards_lamp{{hit.point, lamp->direction},
@@ -137,10 +142,11 @@ void Path::aim_at_a_lamp(const Hit& hit) {
     // Paths that meet the lamp behind glass leave it to this ray, but not the environment.
     if (lamp->environment) return;
   } else if (lamp->density > 0.0) {
-    weight *= lamp->density / (lamp->density + density);
+    weight *= lamp->density / (lamp->density + pdf);
   }
+  const float* carried = throughput().data;
   for (int b = first; b < last; ++b)
-    light_[static_cast<std::size_t>(b)] *= throughput_[static_cast<std::size_t>(b)] * arriving[b];
+    light_[static_cast<std::size_t>(b)] *= carried[b] * arriving[b];
   lamps_.tint(*lamp, first, last, light_.data());
   sums_->add(lamp->source, light_.data(), ones_, static_cast<float>(weight), first, last);
 }
@@ -148,14 +154,14 @@ void Path::aim_at_a_lamp(const Hit& hit) {
 void Path::look_up_photons(const Hit& hit) {
   photons_->for_each_near(
       hit, scattering_.spreads_through(), [&](const Photon& photon, const float* flux) {
-        const int first = std::max(bundle_.first, photon.first);
-        const int last = std::min(bundle_.last, photon.last);
+        const int first = std::max(bundle().bands.first, photon.first);
+        const int last = std::min(bundle().bands.last, photon.last);
         if (first >= last) return;
         const double cosine = std::abs(glm::dot(photon.direction, hit.normal));
         if (!(scattering_.evaluate(-photon.direction, light_.data()) > 0.0)) return;
+        const float* carried = throughput().data;
         for (int b = first; b < last; ++b)
-          light_[static_cast<std::size_t>(b)] *=
-              throughput_[static_cast<std::size_t>(b)] * flux[b - photon.first];
+          light_[static_cast<std::size_t>(b)] *= carried[b] * flux[b - photon.first];
         sums_->add(photon.source, light_.data(), ones_,
                    static_cast<float>(photons_->density_factor() / cosine), first, last);
       });

@@ -37,7 +37,7 @@ bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
     world_.find_closest(state, hit);
     const double way = hit.met() ? std::min(hit.t, distance) : distance;
     const MediumId medium = hit.met() ? hit.medium_before : world_.medium_of(state.nesting);
-    absorb(plan_.medium(medium), way, first, last, transmittance_.data());
+    absorb(plan_.medium(medium), way, {transmittance_.data(), {first, last}});
     if (!hit.met() || hit.t >= distance) return true;
     const MaterialPlan& material = plan_.materials[hit.material.index()];
     // The way may end on a lamp that glows; whether it does, rounding must not decide.

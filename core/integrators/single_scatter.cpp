@@ -20,24 +20,26 @@ SingleScatter::SingleScatter(const Lamps& lamps, const Plan& plan, const World& 
     : lamps_(&lamps), plan_(plan), world_(world), shadow_rays_(plan, world),
       ones_(1.0f, plan.grid.count()), seen_(plan.stride), lit_(plan.stride) {}
 
-void SingleScatter::begin_path(const Sampler& sampler) {
+void SingleScatter::begin_path(const Sampler& sampler, PathWavelengths& wavelengths,
+                               RadianceSums& sums, RayCounts& counts) {
+  wavelengths_ = &wavelengths;
+  sums_ = &sums;
+  counts_ = &counts;
   if (!plan_.has_drops) return;
   place_ = sampler.pair(kDropPlace);
   lamp_point_ = sampler.pair(kDropLamp);
 }
 
-void SingleScatter::arrive(Bundle& bundle, float* throughput, PathWavelengths& wavelengths,
-                           RadianceSums& sums, RayCounts& counts) {
-  for (;;) {
-    const Hit& hit = bundle.hit;
-    const double way = hit.met() ? hit.t : kInfinity;
-    const MediumPlan& medium =
-        plan_.medium(hit.met() ? hit.medium_before : world_.medium_of(bundle.state.nesting));
-    if (medium.drops) add(bundle, way, medium, throughput, wavelengths, sums, counts);
-    absorb(medium, way, bundle.first, bundle.last, throughput);
-    if (!hit.met() || !plan_.unseen(hit)) return;
-    pass_unseen_boundary(bundle, world_, counts);
-  }
+bool SingleScatter::arrive(Bundle& bundle, BandSpan<float> throughput) {
+  const Hit& hit = bundle.hit;
+  const double length = hit.met() ? hit.t : kInfinity;
+  const MediumPlan& medium =
+      plan_.medium(hit.met() ? hit.medium_before : world_.medium_of(bundle.state.nesting));
+  if (medium.drops) add(bundle, length, medium, throughput);
+  absorb(medium, length, throughput);
+  if (!hit.met() || !plan_.unseen(hit)) return true;
+  pass_unseen_boundary(bundle);
+  return false;
 }
 
 void SingleScatter::find_lights(const dvec3& place) {
@@ -56,28 +58,27 @@ void SingleScatter::find_lights(const dvec3& place) {
   }
 }
 
-void SingleScatter::add(const Bundle& bundle, double way, const MediumPlan& medium,
-                        const float* throughput, PathWavelengths& wavelengths, RadianceSums& sums,
-                        RayCounts& counts) {
+void SingleScatter::add(const Bundle& bundle, double length, const MediumPlan& medium,
+                        BandSpan<const float> throughput) {
   const DropsPlan& drops = *medium.drops;
   const double extinction = drops.extinction_per_unit;
-  const double scattered = -std::expm1(-extinction * way); // of a ray that goes all the way
+  const double scattered = -std::expm1(-extinction * length); // of a ray that goes on
   const double distance = -std::log1p(-place_.x * scattered) / extinction;
   const dvec3 point = bundle.state.ray.at(distance);
   find_lights(point);
   if (lights_.empty()) return;
   // The ray may have passed boundaries between equal media, so its own nesting need not hold here.
   const Nesting nesting = world_.nesting_at(point);
-  const int first = bundle.first, last = bundle.last;
-  std::copy(throughput + first, throughput + last, seen_.begin() + first);
-  absorb(medium, distance, first, last, seen_.data());
-  // s exp(-s t) over the density of the place; `absorb` has applied exp(-s t) already.
+  const auto [first, last] = throughput.bands;
+  std::copy(throughput.data + first, throughput.data + last, seen_.begin() + first);
+  absorb(medium, distance, {seen_.data(), throughput.bands});
+  // s exp(-s t) over the pdf of the place; `absorb` has applied exp(-s t) already.
   const double weight = scattered * std::exp(extinction * distance);
 
   for (const Light& light : lights_) {
     const RayState towards_lamp{{point, light.direction}, {}, nesting};
-    const float* arriving =
-        shadow_rays_.transmittance(towards_lamp, light.distance, first, last, wavelengths, counts);
+    const float* arriving = shadow_rays_.transmittance(towards_lamp, light.distance, first, last,
+                                                       *wavelengths_, *counts_);
     if (!arriving) continue;
     const auto& phase = light.disc ? drops.under_sun : drops.under_lamp;
     const auto part = phase->at(glm::dot(light.direction, bundle.state.ray.direction));
@@ -86,8 +87,8 @@ void SingleScatter::add(const Bundle& bundle, double way, const MediumPlan& medi
       lit_[k] = seen_[k] * arriving[b] * part[b];
     }
     if (light.sample) lamps_->tint(*light.sample, first, last, lit_.data());
-    sums.add(light.source, lit_.data(), ones_, static_cast<float>(weight * light.weight), first,
-             last);
+    sums_->add(light.source, lit_.data(), ones_, static_cast<float>(weight * light.weight), first,
+               last);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bands/band_span.h"
 #include "core/bundles/bundle.h"
 #include "core/film/radiance_sums.h"
 #include "core/integrators/shadow.h"
@@ -10,12 +11,14 @@
 
 namespace abbe {
 
-/// Light of the lamps that drops scatter once, into the rays of a path. Of one thread.
+/// The light of lamps that drops scatter once into the rays of a path. One object serves one
+/// thread.
 ///
 /// Along a stretch of length T through drops of extinction s, a band gathers
 ///   L = integral from 0 to T of s exp(-(s + a) t) p(angle) E(t) V(t) dt,
-/// a the absorption between the drops, p their phase function, E the lamp's irradiance and V what
-/// of it arrives. One place is drawn per stretch, with the density s exp(-s t) / (1 - exp(-s T)).
+/// where a is the absorption between the drops, p their phase function, E the lamp's irradiance and
+/// V what of it arrives. One place is drawn per stretch, with the pdf s exp(-s t) / (1 - exp(-s
+/// T)).
 class SingleScatter {
 public:
   /// Each place gets the light of all the scene's lights. Keeps references to all.
@@ -23,13 +26,16 @@ public:
   /// Each place gets the light of one lamp, drawn. Keeps references to all.
   SingleScatter(const Lamps& lamps, const Plan& plan, const World& world);
 
-  void begin_path(const Sampler& sampler);
+  /// Starts a path, whose drops send their light to `sums`. Keeps references to all but the
+  /// sampler.
+  void begin_path(const Sampler& sampler, PathWavelengths& wavelengths, RadianceSums& sums,
+                  RayCounts& counts);
 
-  /// Takes a bundle along its ray to what is seen, through boundaries of drops, which are not seen
-  /// themselves. Its throughput arrives there less what the ways absorb; what the drops on them
-  /// send is added.
-  void arrive(Bundle& bundle, float* throughput, PathWavelengths& wavelengths, RadianceSums& sums,
-              RayCounts& counts);
+  /// Takes a bundle along its ray, which has been traced, to what the ray meets. Its throughput
+  /// arrives there less what the medium absorbs, and what drops on the way send is added. False
+  /// where the ray has met a boundary of drops, which is not seen itself: the bundle then goes on
+  /// behind it, untraced.
+  [[nodiscard]] bool arrive(Bundle& bundle, BandSpan<float> throughput);
 
 private:
   /// What a lamp sends to a place: `weight` times its spectrum is irradiance.
@@ -40,8 +46,8 @@ private:
     bool disc; ///< parallel light whose disc has not been sampled
     std::optional<LampSample> sample;
   };
-  void add(const Bundle& bundle, double way, const MediumPlan& medium, const float* throughput,
-           PathWavelengths& wavelengths, RadianceSums& sums, RayCounts& counts);
+  void add(const Bundle& bundle, double length, const MediumPlan& medium,
+           BandSpan<const float> throughput);
   void find_lights(const dvec3& place);
 
   const Scene* scene_ = nullptr;
@@ -50,9 +56,13 @@ private:
   const World& world_;
   ShadowRays shadow_rays_;
   BandTable ones_;
+  PathWavelengths* wavelengths_ = nullptr;
+  RadianceSums* sums_ = nullptr;
+  RayCounts* counts_ = nullptr;
   dvec2 place_{0.5}, lamp_point_{0.5};
-  std::vector<Light> lights_;     ///< that shine on the place drawn
-  std::vector<float> seen_, lit_; ///< throughput there, and times what a lamp sends
+  std::vector<Light> lights_; ///< those that shine on the place drawn
+  std::vector<float> seen_;   ///< the throughput there
+  std::vector<float> lit_;    ///< the same times what a lamp sends
 };
 
 } // namespace abbe

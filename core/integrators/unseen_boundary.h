@@ -1,13 +1,12 @@
 #pragma once
 
 #include "core/bundles/bundle.h"
-#include "core/bundles/statistics.h"
-#include "geometry/world.h"
 
 namespace abbe {
 
-/// Takes a bundle straight through the boundary that it has met, one that Plan::unseen knows, and
-/// finds what it meets next. No surface is counted; what the way absorbed is the caller's.
-void pass_unseen_boundary(Bundle& bundle, const World& world, RayCounts& counts);
+/// Takes a bundle straight through the boundary that it has met, one that Plan::unseen knows. Its
+/// ray is untraced then. No surface is counted, and what the medium before the boundary absorbs is
+/// the caller's to apply.
+void pass_unseen_boundary(Bundle& bundle);
 
 } // namespace abbe

@@ -32,7 +32,7 @@ TileRenderer::TileRenderer(const Scene& scene, const Plan& plan, const World& wo
                            std::span<std::uint32_t> pixel_rays)
     : plan_(plan), world_(world), camera_(camera), film_(film), pixel_rays_(pixel_rays),
       integrator_(make_integrator(scene, plan, world, lamps, light_passes, camera.pixel_angle())),
-      sums_(plan), undivided_{plan.first_band, plan.last_band} {
+      sums_(plan), undivided_{.bands = {plan.first_band, plan.last_band}} {
   if (camera.lens) lens_fan_.emplace(plan, *camera.lens);
 }
 

@@ -82,6 +82,6 @@ TEST_CASE("inside a grey box a path goes on as often as it may") {
                           "diffuse 0.5 0.5 0.5 ambient 0 0 0 scale 20 20 20 cube";
   const RayCounts c = counts_of(box);
   CHECK(c.camera == kSamples);
-  CHECK(c.spread == 3 * kSamples);
+  CHECK(c.scattered == 3 * kSamples);
   CHECK(c.total() == 4 * kSamples);
 }

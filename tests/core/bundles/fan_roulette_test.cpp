@@ -55,7 +55,7 @@ TEST_CASE("a path follows no more cells than its share, and each stands for its 
       CHECK(cells.size() <= static_cast<std::size_t>(most));
       CHECK(2 * cells.size() > static_cast<std::size_t>(most)); // and makes use of it
       for (const FanCell& cell : cells) {
-        CHECK(cell.bands() == 1);
+        CHECK(cell.bands.size() == 1);
         CHECK_FALSE(cell.shared);
       }
     }
@@ -65,7 +65,7 @@ TEST_CASE("a path follows no more cells than its share, and each stands for its 
 TEST_CASE("a part of the bands has its part of the share") {
   FanScene s(kBall + "maxFan 27", kAside);
   const auto cells = [&](int first, int last) {
-    return s.fan.refract(s.bundle, first, last, 1.0, s.wavelengths, 0.5, s.rays).size();
+    return s.fan.refract(s.bundle, {first, last}, {1.0, 0.5}, s.wavelengths, s.rays).size();
   };
   CHECK(cells(0, 81) <= 27);
   CHECK(cells(0, 9) <= 3);
@@ -81,7 +81,8 @@ TEST_CASE("over all choices every band has the mean weight 1") {
     std::vector<double> mean(81);
     for (int i = 0; i < kChoices; ++i)
       for (const FanCell& cell : s.refract((i + 0.5) / kChoices))
-        mean[static_cast<std::size_t>(cell.first)] += static_cast<double>(cell.weight) / kChoices;
+        mean[static_cast<std::size_t>(cell.bands.first)] +=
+            static_cast<double>(cell.weight) / kChoices;
     for (const double m : mean)
       CHECK(m == Approx(1.0).margin(0.01));
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bundles/extend.h"
 #include "core/bundles/fan.h"
 #include "core/cameras/camera.h"
 #include "core/planning/make_plan.h"
@@ -25,17 +26,17 @@ struct FanScene {
         camera(scene.camera, scene.settings.width, scene.settings.height), wavelengths(plan),
         fan(plan, world, camera.pixel_angle()) {
     wavelengths.begin_path(0.5);
-    bundle.first = plan.first_band;
-    bundle.last = plan.last_band;
+    bundle.bands = {plan.first_band, plan.last_band};
     bundle.state.ray = camera.ray(pixel);
     bundle.state.nesting = world.nesting_at(scene.camera.eye);
     world.find_closest(bundle.state, bundle.hit);
+    bundle.traced = true;
   }
   FanScene(const FanScene&) = delete; // the fan refers to the plan
   FanScene& operator=(const FanScene&) = delete;
 
   const std::vector<FanCell>& refract(double choice = 0.5) {
-    return fan.refract(bundle, bundle.first, bundle.last, 1.0, wavelengths, choice, rays);
+    return fan.refract(bundle, bundle.bands, {1.0, choice}, wavelengths, rays);
   }
 };
 

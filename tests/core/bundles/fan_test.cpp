@@ -24,10 +24,10 @@ const glm::dvec2 kMiddle{256.0, 256.0};
 
 bool partition(std::vector<FanCell> cells, int first, int last) {
   std::sort(cells.begin(), cells.end(),
-            [](const FanCell& a, const FanCell& b) { return a.first < b.first; });
+            [](const FanCell& a, const FanCell& b) { return a.bands.first < b.bands.first; });
   for (const FanCell& cell : cells) {
-    if (cell.first != first || cell.last <= first) return false;
-    first = cell.last;
+    if (cell.bands.first != first || cell.bands.last <= first) return false;
+    first = cell.bands.last;
   }
   return first == last;
 }
@@ -59,13 +59,15 @@ TEST_CASE("--exact gives every band its own ray, by Snell's law") {
     CHECK(cell.weight == 1.0f);
     CHECK_FALSE(cell.shared);
     REQUIRE(cell.hit->met());
-    CHECK(glm::distance(cell.hit->point, own_hit(s, cell.first).point) < 1e-12);
+    CHECK(glm::distance(cell.hit->point, own_hit(s, cell.bands.first).point) < 1e-12);
     Bundle next;
     go_on_as(cell, s.bundle, next);
     CHECK(next.depth == 1);
     CHECK(next.path_length == s.bundle.hit.t);
-    CHECK(cell.position_spread == 0.0);
-    CHECK(cell.direction_spread == 0.0);
+    CHECK(next.traced); // by the fan
+    CHECK(next.hit.point == cell.hit->point);
+    CHECK(cell.separation == 0.0);
+    CHECK(cell.divergence == 0.0);
   }
   // blue is bent more than red, so it leaves farther from the straight way
   const dvec3 straight = s.bundle.state.ray.direction;
@@ -75,7 +77,7 @@ TEST_CASE("--exact gives every band its own ray, by Snell's law") {
 
 TEST_CASE("only the bands that are asked for are refracted") {
   FanScene s(kBall + "exact on", kAside);
-  const auto& cells = s.fan.refract(s.bundle, 20, 33, 1.0, s.wavelengths, 0.5, s.rays);
+  const auto& cells = s.fan.refract(s.bundle, {20, 33}, {1.0, 0.5}, s.wavelengths, s.rays);
   CHECK(partition(cells, 20, 33));
   CHECK(s.rays.refracted == 13);
 }
@@ -90,8 +92,13 @@ TEST_CASE("between media without dispersion the bundle stays whole") {
     REQUIRE(cells.size() == 1);
     CHECK(partition(cells, 0, 81));
     CHECK(cells[0].weight == 1.0f);
+    CHECK(cells[0].hit == nullptr); // no hit is needed to know that
+    CHECK(s.rays.refracted == 0);
+    Bundle next;
+    go_on_as(cells[0], s.bundle, next);
+    extend(next, s.world, s.rays);
     CHECK(s.rays.refracted == 1);
-    CHECK(glm::distance(cells[0].hit->point, own_hit(s, 40).point) < 1e-12);
+    CHECK(glm::distance(next.hit.point, own_hit(s, 40).point) < 1e-12);
   }
 }
 
@@ -109,14 +116,14 @@ TEST_CASE("bands share a ray while the outermost two land together") {
       for (const FanCell& cell : cells) {
         CHECK(cell.weight == 1.0f);
         REQUIRE(cell.hit->met());
-        const Hit a = own_hit(s, cell.first), b = own_hit(s, cell.last - 1);
+        const Hit a = own_hit(s, cell.bands.first), b = own_hit(s, cell.bands.last - 1);
         const double way = s.bundle.hit.t + std::max(a.t, b.t);
         const double pixel = s.camera.pixel_angle() * way;
         CHECK(glm::distance(a.point, b.point) <= tolerance * pixel);
         // the shared ray lands between them
         CHECK(glm::distance(cell.hit->point, a.point) <=
-              glm::distance(a.point, b.point) + (cell.bands() == 1 ? 1e-12 : 0.0));
-        CHECK(cell.shared == (cell.bands() > 1));
+              glm::distance(a.point, b.point) + (cell.bands.size() == 1 ? 1e-12 : 0.0));
+        CHECK(cell.shared == (cell.bands.size() > 1));
       }
       if (tolerance == 0.0) CHECK(cells.size() == 81);
       if (tolerance == 1000.0) CHECK(cells.size() == 1);
@@ -137,11 +144,11 @@ TEST_CASE("bands part no further than tolerance demands") {
   CHECK(cells.size() > 4);
   for (const FanCell& cell : cells) {
     int first = 0, last = 81; // the way by halves to this cell
-    while (first != cell.first || last != cell.last) {
-      REQUIRE(last - first > cell.bands());
+    while (first != cell.bands.first || last != cell.bands.last) {
+      REQUIRE(last - first > cell.bands.size());
       CHECK(spread(first, last) > 4.0);
       const int middle = s.plan.shares.middle({first, last});
-      (cell.first < middle ? last : first) = middle;
+      (cell.bands.first < middle ? last : first) = middle;
     }
   }
 }
@@ -152,9 +159,8 @@ TEST_CASE("the spread of a shared ray is that of its outermost bands") {
   REQUIRE(cells.size() == 1);
   const dvec3 from = s.bundle.hit.point;
   const auto direction = [&](int band) { return glm::normalize(own_hit(s, band).point - from); };
-  CHECK(cells[0].direction_spread ==
-        Approx(glm::distance(direction(0), direction(80))).epsilon(1e-9));
-  CHECK(cells[0].position_spread == 0.0);
+  CHECK(cells[0].divergence == Approx(glm::distance(direction(0), direction(80))).epsilon(1e-9));
+  CHECK(cells[0].separation == 0.0);
 }
 
 // The bundle comes with what earlier surfaces have spread: its position's part is handed on, its
@@ -165,8 +171,8 @@ TEST_CASE("earlier spread uses tolerance up") {
   REQUIRE(fresh < 40);
   const double pixel = s.camera.pixel_angle() * s.bundle.hit.t;
   const auto with_spread = [&](double position, double direction) {
-    s.bundle.position_spread = position;
-    s.bundle.direction_spread = direction;
+    s.bundle.separation = position;
+    s.bundle.divergence = direction;
     return s.refract().size();
   };
   CHECK(with_spread(1.9 * pixel, 0.0) >= fresh);
@@ -187,7 +193,7 @@ TEST_CASE("bands whose rays meet different faces or shapes do not share, whateve
       const auto& cells = s.refract();
       CHECK(partition(cells, 0, 81));
       for (const FanCell& cell : cells) {
-        const Hit a = own_hit(s, cell.first), b = own_hit(s, cell.last - 1);
+        const Hit a = own_hit(s, cell.bands.first), b = own_hit(s, cell.bands.last - 1);
         CHECK(a.shape == b.shape);
         CHECK(a.face == b.face);
       }
@@ -206,7 +212,7 @@ TEST_CASE("packets and single rays make the same fan") {
   const auto &a = s.refract(), &b = packets.refract();
   REQUIRE(a.size() == b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
-    CHECK(a[i].first == b[i].first);
+    CHECK(a[i].bands.first == b[i].bands.first);
     CHECK(a[i].hit->point == b[i].hit->point);
   }
 }

@@ -70,8 +70,8 @@ TEST_CASE("lens fan: exact gives each band the ray of its wavelength") {
   REQUIRE(s.bundles.size() == 81);
   const auto from = s.camera.film_ray({30.0, 60.0}, kRim).value();
   for (std::size_t b = 0; b < 81; ++b) {
-    CHECK(s.bundles[b].first == static_cast<int>(b));
-    CHECK(s.bundles[b].last == static_cast<int>(b) + 1);
+    CHECK(s.bundles[b].bands.first == static_cast<int>(b));
+    CHECK(s.bundles[b].bands.last == static_cast<int>(b) + 1);
     const auto n = s.camera.lens().indices(380.0 + 5.0 * static_cast<double>(b));
     const Ray direct = s.camera.to_world(s.camera.trace(from, n).value().ray);
     CHECK(glm::distance(s.states[b].ray.direction, direct.direction) < 1e-14);
@@ -84,9 +84,9 @@ TEST_CASE("lens fan: a generous tolerance leaves one bundle of all bands, a stri
   Setup whole("singlet_bk7_50", with(1e6, 8));
   whole.sample({30.0, 60.0}, kRim, {0.5, 0.3});
   REQUIRE(whole.bundles.size() == 1);
-  CHECK(whole.bundles[0].first == 0);
-  CHECK(whole.bundles[0].last == 81);
-  CHECK(whole.bundles[0].direction_spread > 0.0);
+  CHECK(whole.bundles[0].bands.first == 0);
+  CHECK(whole.bundles[0].bands.last == 81);
+  CHECK(whole.bundles[0].divergence > 0.0);
   Setup parted("singlet_bk7_50", with(0.0, 405));
   parted.sample({30.0, 60.0}, kRim, {0.5, 0.3});
   CHECK(parted.bundles.size() == 81);
@@ -102,9 +102,9 @@ TEST_CASE("lens fan: bands that share a ray leave the lens close together") {
     bool shared = false;
     for (std::size_t i = 0; i < s.bundles.size(); ++i) {
       const CameraBundle& bundle = s.bundles[i];
-      last = std::max(last, bundle.last);
-      shared = shared || bundle.last - bundle.first > 1;
-      for (int b = bundle.first; b < bundle.last; ++b) {
+      last = std::max(last, bundle.bands.last);
+      shared = shared || bundle.bands.size() > 1;
+      for (int b = bundle.bands.first; b < bundle.bands.last; ++b) {
         const auto n = s.camera.lens().indices(s.plan.wavelength_nm(b, 0.5));
         const Ray own = s.camera.to_world(s.camera.trace(from, n).value().ray);
         const Ray& ray = s.states[i].ray;
@@ -134,7 +134,7 @@ TEST_CASE("lens fan: roulette follows few bands, and each as often as its weight
     s.sample({30.0, 60.0}, kRim, {0.5, (i + 0.5) / kChoices});
     REQUIRE(s.bundles.size() == 8);
     for (const CameraBundle& bundle : s.bundles)
-      for (int b = bundle.first; b < bundle.last; ++b)
+      for (int b = bundle.bands.first; b < bundle.bands.last; ++b)
         mean[static_cast<std::size_t>(b)] += static_cast<double>(bundle.weight) / kChoices;
   }
   const double weight = s.camera.film_ray({30.0, 60.0}, kRim)->weight;
@@ -161,7 +161,7 @@ TEST_CASE("lens fan: bands that the lens stops are left out, alone or in a range
     int wrong = 0;
     std::vector<double> found(81, 0.0);
     for (const CameraBundle& bundle : exact.bundles)
-      for (int b = bundle.first; b < bundle.last; ++b)
+      for (int b = bundle.bands.first; b < bundle.bands.last; ++b)
         found[static_cast<std::size_t>(b)] = static_cast<double>(bundle.weight);
     for (std::size_t b = 0; b < 81; ++b)
       wrong += std::abs(found[b] - expected[b]) > 1e-6;
@@ -180,7 +180,7 @@ TEST_CASE("lens fan: a lens of one index never parts bands") {
   std::vector<RayState> states;
   LensFan(plan, camera).sample({30.0, 60.0}, kRim, {0.5, 0.3}, bundles, states);
   REQUIRE(bundles.size() == 1);
-  CHECK(bundles[0].last - bundles[0].first == 81);
+  CHECK(bundles[0].bands.size() == 81);
 }
 
 TEST_CASE("lens fan: outside the image circle nothing starts") {

@@ -42,13 +42,13 @@ TEST_CASE("bands taken as one have the index at the path's place in their range"
   for (const double offset : {0.0, 0.25, 0.999}) {
     wavelengths.begin_path(offset);
     const double nm = 377.5 + 5.0 * (10 + offset * 8);
-    CHECK(wavelengths.shared_index(MediumId{0}, 10, 18) ==
+    CHECK(wavelengths.shared_index(MediumId{0}, {10, 18}) ==
           Approx(refractive_index(flint(), nm)).margin(1e-7));
-    CHECK(wavelengths.shared_index(MediumId{0}, 40, 41) == wavelengths.indices(MediumId{0})[40]);
-    CHECK(wavelengths.shared_index(MediumId{}, 10, 18) == 1.0);
+    CHECK(wavelengths.shared_index(MediumId{0}, {40, 41}) == wavelengths.indices(MediumId{0})[40]);
+    CHECK(wavelengths.shared_index(MediumId{}, {10, 18}) == 1.0);
     // It lies between those of the outermost bands, so where both of them pass, it passes too.
-    CHECK(wavelengths.shared_index(MediumId{0}, 10, 18) <= wavelengths.indices(MediumId{0})[10]);
-    CHECK(wavelengths.shared_index(MediumId{0}, 10, 18) >= wavelengths.indices(MediumId{0})[17]);
+    CHECK(wavelengths.shared_index(MediumId{0}, {10, 18}) <= wavelengths.indices(MediumId{0})[10]);
+    CHECK(wavelengths.shared_index(MediumId{0}, {10, 18}) >= wavelengths.indices(MediumId{0})[17]);
   }
 }
 

@@ -20,7 +20,7 @@ MediumPlan dye() {
 
 TEST_CASE("throughput falls by exp(-absorption * way) in the asked bands") {
   float throughput[3] = {0.5f, 0.5f, 0.5f};
-  absorb(dye(), 3.0, 0, 2, throughput);
+  absorb(dye(), 3.0, {throughput, {0, 2}});
   CHECK(throughput[0] == 0.5f);
   CHECK(throughput[1] == Approx(0.5 * std::exp(-1.5)).epsilon(1e-6));
   CHECK(throughput[2] == 0.5f);
@@ -28,7 +28,7 @@ TEST_CASE("throughput falls by exp(-absorption * way) in the asked bands") {
 
 TEST_CASE("an infinite way leaves the bands that are not absorbed, and nothing else") {
   float throughput[3] = {1.0f, 1.0f, 1.0f};
-  absorb(dye(), std::numeric_limits<double>::infinity(), 0, 3, throughput);
+  absorb(dye(), std::numeric_limits<double>::infinity(), {throughput, {0, 3}});
   CHECK(throughput[0] == 1.0f);
   CHECK(throughput[1] == 0.0f);
   CHECK(throughput[2] == 0.0f);
@@ -36,7 +36,7 @@ TEST_CASE("an infinite way leaves the bands that are not absorbed, and nothing e
 
 TEST_CASE("a clear medium takes nothing, however long the way") {
   float throughput[1] = {0.7f};
-  absorb(MediumPlan{}, std::numeric_limits<double>::infinity(), 0, 1, throughput);
+  absorb(MediumPlan{}, std::numeric_limits<double>::infinity(), {throughput, {0, 1}});
   CHECK(throughput[0] == 0.7f);
 }
 
@@ -44,7 +44,7 @@ TEST_CASE("a medium alike in all bands absorbs as one that is tabulated") {
   MediumPlan grey = dye();
   grey.absorption_per_unit = BandTable(0.5f, 3);
   float throughput[3] = {0.5f, 0.5f, 0.5f};
-  absorb(grey, 3.0, 1, 3, throughput);
+  absorb(grey, 3.0, {throughput, {1, 3}});
   CHECK(throughput[0] == 0.5f);
   CHECK(throughput[1] == Approx(0.5 * std::exp(-1.5)).epsilon(1e-6));
   CHECK(throughput[2] == throughput[1]);
