@@ -7,6 +7,7 @@
 #include "core/bsdfs/mirror.h"
 #include "core/bsdfs/rough_conductor.h"
 #include "core/bsdfs/rough_dielectric.h"
+#include "core/bsdfs/thin_glass.h"
 
 #include <variant>
 
@@ -29,7 +30,7 @@ namespace abbe {
 /// Another BSDF is a file pair with such a type, its name here, a test, and a keyword that makes
 /// it. See docs/decisions/bsdfs.md.
 using Bsdf = std::variant<Diffuse, CoatedDiffuse, Mirror, Conductor, Dielectric, RoughConductor,
-                          RoughDielectric>;
+                          RoughDielectric, ThinGlass>;
 
 [[nodiscard]] inline BsdfFacts facts_of(const Bsdf& bsdf) {
   return std::visit([](const auto& b) { return b.facts(); }, bsdf);

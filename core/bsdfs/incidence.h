@@ -61,8 +61,10 @@ struct BsdfFacts {
   bool rough = false;     ///< by facets in many directions, and not along single rays
   bool coats = false;     ///< the BSDF takes the diffuse part of the material into itself
 
-  /// True when some light goes on along the one reflected ray or the refracted rays.
-  [[nodiscard]] bool specular() const { return !rough && (reflects || transmits); }
+  /// True when some light goes on, other than by Lambert's part.
+  [[nodiscard]] bool goes_on() const { return reflects || transmits || passes; }
+  /// True when some light goes on along single rays: reflected, refracted or straight through.
+  [[nodiscard]] bool specular() const { return !rough && goes_on(); }
   friend bool operator==(const BsdfFacts&, const BsdfFacts&) = default;
 };
 

@@ -108,6 +108,8 @@ void LightPaths::shade() {
     return reflect(chance);
   case ScatterKind::refract:
     return refract(chance);
+  case ScatterKind::pass:
+    return pass(chance);
   case ScatterKind::none:
   case ScatterKind::spread:
     break;
@@ -150,8 +152,8 @@ void LightPaths::splat(const Hit& hit) {
                         through ? hit.nesting_after : hit.nesting_before};
   const auto [first, last] = bundle().bands;
   const float* arriving = nullptr;
-  if (plan_.has_drops) {
-    arriving = to_camera_.transmittance(to_eye, distance, first, last, wavelengths_, *counts_);
+  if (plan_.dims_on_the_way()) {
+    arriving = to_camera_.along(to_eye, distance, first, last, wavelengths_, *counts_);
     if (!arriving) return;
   } else {
     counts_->add_any_hit(RayKind::shadow, to_eye, distance);

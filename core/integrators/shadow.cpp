@@ -13,20 +13,20 @@ ShadowRays::ShadowRays(const Plan& plan, const World& world)
 const float* ShadowRays::transmittance(const RayState& towards_lamp, double distance, int first,
                                        int last, PathWavelengths& wavelengths, RayCounts& counts) {
   through_glass_ = false;
-  switch (plan_.settings.shadows) {
-  case ShadowRule::none:
-    return ones_.data();
-  case ShadowRule::opaque:
-    if (plan_.has_drops) break; // they are in the way, and stop no ray
-    counts.add_any_hit(RayKind::shadow, towards_lamp, distance);
-    return world_.occluded(towards_lamp, distance) ? nullptr : ones_.data();
-  case ShadowRule::automatic: // never in a plan
-  case ShadowRule::attenuated:
-    break;
+  if (plan_.settings.shadows == ShadowRule::none) return ones_.data();
+  return along(towards_lamp, distance, first, last, wavelengths, counts);
+}
+
+const float* ShadowRays::along(const RayState& way, double distance, int first, int last,
+                               PathWavelengths& wavelengths, RayCounts& counts) {
+  through_glass_ = false;
+  if (!through_refracting() && !plan_.dims_on_the_way()) {
+    counts.add_any_hit(RayKind::shadow, way, distance);
+    return world_.occluded(way, distance) ? nullptr : ones_.data();
   }
   std::fill(transmittance_.begin(), transmittance_.end(), 1.0f);
-  return attenuate(towards_lamp, distance, first, last, wavelengths, counts) ? transmittance_.data()
-                                                                             : nullptr;
+  return attenuate(way, distance, first, last, wavelengths, counts) ? transmittance_.data()
+                                                                    : nullptr;
 }
 
 bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
@@ -44,12 +44,13 @@ bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
     if (material.emission_source >= 0 && !world_.occluded(state, distance)) return true;
     if (!plan_.unseen(hit)) {
       const BsdfFacts facts = material.facts();
-      if (!facts.transmits || plan_.settings.shadows == ShadowRule::opaque) return false;
       // The path tracer finds what comes through rough glass by scattering.
-      if (facts.rough && plan_.settings.integrator == Integrator::path) return false;
+      const bool refracts = facts.transmits && through_refracting() &&
+                            !(facts.rough && plan_.settings.integrator == Integrator::path);
+      if (!refracts && !facts.passes) return false;
       const double cos_i = std::min(1.0, std::abs(glm::dot(hit.normal, state.ray.direction)));
       pass(material, hit, cos_i, first, last, wavelengths, transmittance_);
-      through_glass_ = true;
+      if (refracts) through_glass_ = true;
     }
     state.ray.origin = hit.point;
     state.contacts = hit.other_side;

@@ -3,6 +3,7 @@
 #include "core/bands/band_math.h"
 #include "core/bands/passing_runs.h"
 #include "core/emitters/illumination.h"
+#include "core/integrators/unseen_boundary.h"
 #include "core/scattering/surface_finish.h"
 #include "core/scattering/surface_incidence.h"
 
@@ -23,9 +24,9 @@ constexpr double kSurePart = 1.0 / 16.0;
 Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, const Lamps& lamps,
                  double pixel_angle)
     : BundleWalk(plan, world, pixel_angle, Transport::radiance), scene_(scene), lamps_(lamps),
-      shadow_rays_(plan, world), single_scatter_(scene, plan, world),
-      reflected_(plan.stride), transmitted_(plan.stride), textured_(0.0f, plan.grid.count()),
-      lit_(plan.stride), coated_(plan.stride) {}
+      shadow_rays_(plan, world), single_scatter_(scene, plan, world), reflected_(plan.stride),
+      transmitted_(plan.stride), textured_(0.0f, plan.grid.count()), lit_(plan.stride),
+      coated_(plan.stride) {}
 
 /// All bundles of a camera sample wait at once.
 void Whitted::start(const CameraPaths& paths) {
@@ -56,7 +57,7 @@ void Whitted::shade_ray(RadianceSums& sums, RayCounts& counts) {
   const MaterialPlan* material = &plan_.materials[bundle().hit.material.index()];
   if (material->mixture) material = &part_of(plan_, *material, decisions_.next());
   shade(bundle(), *material, sums, counts);
-  if (bundle().depth < plan_.settings.max_depth) scatter(bundle(), *material);
+  scatter(bundle(), *material);
 }
 
 void Whitted::add_background(const Bundle& bundle, RadianceSums& sums) {
@@ -136,13 +137,15 @@ double Whitted::chance(double importance) const {
 
 void Whitted::scatter(const Bundle& bundle, const MaterialPlan& material) {
   const BsdfFacts facts = facts_of(material.bsdf);
-  if (!facts.reflects && !facts.transmits) return;
+  const bool last = bundle.depth >= plan_.settings.max_depth;
+  if (!facts.goes_on() || (last && !facts.passes)) return;
   const Hit& hit = bundle.hit;
   Incidence in = surface_incidence(material.bsdf, hit, bundle.bands, wavelengths_);
   in.wo = {0.0, 0.0, std::abs(glm::dot(hit.normal, bundle.state.ray.direction))};
   specular_factors(material.bsdf, in, {reflected_.data(), transmitted_.data()});
-  if (facts.reflects) reflect(reflected_.data());
+  if (facts.reflects && !last) reflect(reflected_.data());
   if (facts.transmits) refract(transmitted_.data());
+  if (facts.passes) pass(transmitted_.data());
 }
 
 void Whitted::reflect(const float* factors) {
@@ -152,6 +155,18 @@ void Whitted::reflect(const float* factors) {
   const double survives = chance(brought);
   if (survives < 1.0 && decisions_.next() >= survives) return;
   branch_off_reflection(factors, 1.0 / survives);
+}
+
+/// Straight on through a pane. Where the bundle has met as many surfaces as it may, this is still
+/// done: a pane is not counted.
+void Whitted::pass(const float* factors) {
+  scale(factors, 1.0);
+  const BandSpan<const float> passing = throughput();
+  const double brought =
+      importance(largest_of(passing), passing.bands.first, bundle().hit.medium_after);
+  if (!(brought > plan_.settings.min_throughput)) return;
+  pass_unseen_boundary(bundle());
+  wait();
 }
 
 /// The last that is done with a bundle: its throughput becomes what passes.

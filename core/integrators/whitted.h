@@ -38,6 +38,7 @@ private:
   void scatter(const Bundle& bundle, const MaterialPlan& material);
   void reflect(const float* factors);
   void refract(const float* factors);
+  void pass(const float* factors);
   [[nodiscard]] double chance(double importance) const;
 
   const Scene& scene_;

@@ -74,6 +74,7 @@ struct Plan {
   MediumPlan vacuum;
   std::vector<IndexTable> layers; ///< of thin films and coats
   bool has_drops = false;         ///< some medium has
+  bool has_panes = false;         ///< some material lets light straight through
 
   PixelWindow window; ///< what is rendered
   std::vector<Tile> tiles;
@@ -105,6 +106,9 @@ struct Plan {
     return materials[hit.material.index()].clear && airy(hit.medium_before) &&
            airy(hit.medium_after);
   }
+
+  /// False when whatever lies between two places either stops all light or none.
+  [[nodiscard]] bool dims_on_the_way() const { return has_drops || has_panes; }
 
   static constexpr int kBackground = 0, kAmbient = 1;
   [[nodiscard]] int light_source(std::size_t light) const { return 2 + static_cast<int>(light); }

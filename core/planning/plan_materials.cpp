@@ -24,7 +24,7 @@ bool is_clear(const Material& material) {
   return material.transparency.constant_value() == 1.0 && absent(material.reflectivity) &&
          absent(material.ambient) && absent(material.diffuse) && absent(material.specular) &&
          absent(material.emission) && material.roughness == 0.0 && !material.film &&
-         !material.coat && !material.texture && !material.mixture;
+         !material.coat && !material.texture && !material.mixture && !material.pane;
 }
 
 } // namespace
@@ -53,6 +53,7 @@ void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
     if (material.emission.constant_value() != 0.0)
       m.emission_source = sources.add(material.emission);
     if (material.mixture) m = planned_mixture(plan, *material.mixture);
+    plan.has_panes = plan.has_panes || m.facts().passes;
     plan.materials.push_back(std::move(m));
   }
 }

@@ -57,6 +57,13 @@ BandTable CurveTables::of(const Curve& curve) const {
 Bsdf plan_bsdf(const Material& material, const CurveTables& tables, Plan& plan) {
   const RenderSettings& settings = plan.settings;
   const int bands = plan.grid.count();
+  if (material.pane) {
+    const ThinPane& pane = *material.pane;
+    return ThinGlass{
+        add_layer(pane.index, plan), tables.of(pane.absorption_per_mm.scaled(pane.thickness_mm)),
+        unless_faint(tables.of(material.reflectivity), settings.min_reflectivity, bands),
+        unless_faint(tables.of(material.transparency), settings.min_transparency, bands)};
+  }
   // A film that Fresnel's equations do not see is none, but remains a layer of the plan.
   const FilmLayer film = plan_film(material, plan);
   const double roughness = material.roughness < kSmoothest ? 0.0 : material.roughness;

@@ -46,7 +46,7 @@ void Scattering::prepare(const MaterialPlan& material, const BandTable& diffuse,
     wo = {0.0, 0.0, -glm::dot(direction, normal)};
   }
   in_.wo = wo;
-  if (facts_.reflects || facts_.transmits) find_smooth_parts(hit, wavelengths);
+  if (facts_.goes_on()) find_smooth_parts(hit, wavelengths);
   in_.ground = diffuse.data();
   find_spreading_parts();
   const double total = reflect_ + refract_ + spread_;
@@ -71,13 +71,14 @@ void Scattering::find_smooth_parts(const Hit& hit, PathWavelengths& wavelengths)
     const double eta = transport_ == Transport::radiance ? in_.n_after[b] / in_.n_before[b] : 1.0;
     refract_ = eta * eta * brought(transmitted_.data());
   }
+  if (facts_.passes) refract_ = brought(transmitted_.data());
   if (facts_.reflects) reflect_ = brought(reflected_.data());
 }
 
 /// What facets reflect and refract is spread, in proportion to what a smooth surface would bring.
 void Scattering::find_spreading_parts() {
   // Lambert's part alone needs no comparing.
-  if (!facts_.reflects && !facts_.transmits && !material_->phong.present()) {
+  if (!facts_.goes_on() && !material_->phong.present()) {
     spread_ = diffuse_->zero() ? 0.0 : 1.0;
     lambert_ = 1.0;
     return;
@@ -101,7 +102,7 @@ void Scattering::find_spreading_parts() {
 Scattering::Choice Scattering::choose(double u) const {
   if (u < spread_) return {ScatterKind::spread, spread_};
   if (u < spread_ + reflect_) return {ScatterKind::reflect, reflect_};
-  if (refract_ > 0.0) return {ScatterKind::refract, refract_};
+  if (refract_ > 0.0) return {through(), refract_};
   if (reflect_ > 0.0) return {ScatterKind::reflect, reflect_}; // u was rounded past the sum
   if (spread_ > 0.0) return {ScatterKind::spread, spread_};
   return {};
@@ -122,7 +123,7 @@ Scattering::Branches Scattering::branch(double u, double eagerness) const {
     const double chosen = (u - (1.0 - on)) / on * other;
     branches.on = chosen < spread_ || refract_ == 0.0
                       ? Choice{ScatterKind::spread, on * (spread_ / other)}
-                      : Choice{ScatterKind::refract, on * (refract_ / other)};
+                      : Choice{through(), on * (refract_ / other)};
   }
   return branches;
 }
@@ -132,7 +133,7 @@ Scattering::Choice Scattering::choose_specular(double u) const {
   if (!(sum > 0.0)) return {};
   const double share = reflect_ / sum;
   if (refract_ == 0.0 || u < share) return {ScatterKind::reflect, share};
-  return {ScatterKind::refract, refract_ / sum};
+  return {through(), refract_ / sum};
 }
 
 double Scattering::evaluate(const dvec3& towards, float* f_cos) {

@@ -12,8 +12,8 @@ namespace abbe {
 using glm::dvec2;
 
 /// How a path goes on from a surface: along the one reflected ray, along the refracted rays (each
-/// band its own), or to any side by a density.
-enum class ScatterKind : std::uint8_t { none, reflect, refract, spread };
+/// band its own), straight through a pane, or to any side by a pdf.
+enum class ScatterKind : std::uint8_t { none, reflect, refract, pass, spread };
 
 /// A direction that the spreading part of a surface was asked for.
 struct BsdfSample {
@@ -68,7 +68,7 @@ public:
   /// The same as `choose` among the reflected and the refracted ray alone.
   [[nodiscard]] Choice choose_specular(double u) const;
 
-  /// Factors on radiance that comes along the reflected and the refracted ray.
+  /// Factors on what comes along the reflected ray, and along the refracted or the straight one.
   [[nodiscard]] const float* reflected() const { return reflected_.data(); }
   [[nodiscard]] const float* transmitted() const { return transmitted_.data(); }
 
@@ -86,6 +86,9 @@ public:
   [[nodiscard]] bool has_lobes() const { return facets_ > 0.0 || facts_.coats; }
 
 private:
+  [[nodiscard]] ScatterKind through() const {
+    return facts_.passes ? ScatterKind::pass : ScatterKind::refract;
+  }
   void find_smooth_parts(const Hit& hit, PathWavelengths& wavelengths);
   void find_spreading_parts();
   [[nodiscard]] bool rough() const;
@@ -100,7 +103,8 @@ private:
   Incidence in_;                      ///< its directions are in frame_
   Frame frame_{dvec3(0.0, 0.0, 1.0)}; ///< z: the normal on the side that the ray comes from
   std::vector<float> reflected_, transmitted_;
-  double reflect_ = 0.0, refract_ = 0.0, spread_ = 0.0; ///< chances of the parts
+  /// Chances of the parts; `refract_` is that of a pane's straight ray too.
+  double reflect_ = 0.0, refract_ = 0.0, spread_ = 0.0;
   double facets_ = 0.0;  ///< chance of a rough surface's facets, given spread
   double lambert_ = 1.0; ///< chance of the diffuse part against the highlight, given neither
   std::vector<float> facet_light_; ///< scratch

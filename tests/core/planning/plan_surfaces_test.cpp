@@ -50,6 +50,17 @@ TEST_CASE("each finish becomes its BSDF") {
   CHECK(std::holds_alternative<CoatedDiffuse>(bsdf("coat 1.5 roughness 0.2")));
 }
 
+TEST_CASE("the glass of a pane is a layer, and a passage absorbs by its thickness") {
+  const Plan plan = plan_of("background E 1 unit cm thinGlass 4 N-BK7 absorption 0.05 square");
+  const auto& pane = std::get<ThinGlass>(plan.materials.at(0).bsdf);
+  CHECK(pane.glass == 0);
+  CHECK_FALSE(plan.layers.at(0).achromatic());
+  CHECK(pane.absorption[40] == Approx(0.2)); // thickness and absorption are in mm
+  CHECK(plan.has_panes);
+  CHECK(plan.media.empty());
+  CHECK_FALSE(plan_of("background E 1 glass N-BK7 square").has_panes);
+}
+
 TEST_CASE("a part that is fainter than the least followed is absent") {
   const auto facts = [](const std::string& text) {
     return plan_of("background E 1 " + text + " cube").materials.at(0).facts();
