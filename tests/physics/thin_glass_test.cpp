@@ -158,7 +158,7 @@ TEST_CASE("splats are seen through a pane") {
   const std::string scene =
       "integrator path maxRecursionDepth 6 samples 16 lightPaths 64 imageSize 4 4 "
       "eye 2 0.5 1.5 lookAt 2 2 0 fieldOfView 4 falloff square "
-      "spotlight E -1 1 0 1 1 -1 0 20 "
+      "spotlight E -1 1 0 1 1 -1 0 8 "
       "reflectivity 1 fresnel off diffuse 0 0 0 ambient 0 0 0 specular 0 0 0 "
       "push rotate -90 1 0 0 scale 5 5 1 square pop "
       "defaultMaterials diffuse 0.5 0.5 0.5 ambient 0 0 0 specular 0 0 0 "
