@@ -31,8 +31,8 @@ struct Bundle {
   /// scatters the path other than specularly, and no light path has it.
   bool has_pixel_footprint = true;
 
-  // How far the rays of its outermost bands would have moved apart by now, had each its own. Both
-  // are 0 for a single band.
+  // The bundle's own footprint: how far the rays of its outermost bands would have moved apart by
+  // now, had each its own. Both are 0 for a single band.
   double separation = 0.0; ///< of their origins
   double divergence = 0.0; ///< of their directions
 };

@@ -54,10 +54,9 @@ bool RandomWalk::survives(MediumId medium) {
 }
 
 void RandomWalk::go_on(const dvec3& direction, bool through, RayKind kind, double pdf) {
-  Bundle& b = bundle();
-  if (!survives(through ? b.hit.medium_after : b.hit.medium_before)) return;
-  set_off(b, direction, through, kind, b);
-  b.pdf = pdf;
+  if (!survives(through ? bundle().hit.medium_after : bundle().hit.medium_before)) return;
+  set_off(bundle(), direction, through, kind, bundle());
+  bundle().pdf = pdf;
   wait();
 }
 
