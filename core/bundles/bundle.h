@@ -16,6 +16,7 @@ struct Bundle {
   bool traced = false;            ///< whether `hit` is known already, see extend.h
   Hit hit;                        ///< what the ray meets next
   int depth = 0;                  ///< how many surfaces the path has met so far
+  int panes = 0;                  ///< how many panes it went straight through, which do not count
   double path_length = 0.0;       ///< from the camera to the ray's origin
   /// How much of `path_length` belongs to the ray itself: before its origin it has passed
   /// boundaries that are not seen.
@@ -30,8 +31,8 @@ struct Bundle {
   /// scatters the path other than specularly, and no light path has it.
   bool has_pixel_footprint = true;
 
-  // How far the rays of its outermost bands would have moved apart by now, had each its own. Both
-  // are 0 for a single band.
+  // The bundle's own footprint: how far the rays of its outermost bands would have moved apart by
+  // now, had each its own. Both are 0 for a single band.
   double separation = 0.0; ///< of their origins
   double divergence = 0.0; ///< of their directions
 };
@@ -48,6 +49,7 @@ inline void set_off(const Bundle& bundle, const dvec3& direction, bool through, 
   next.unseen_length = 0.0;
   next.pdf = 0.0;
   next.depth = bundle.depth + 1;
+  next.panes = bundle.panes;
   next.nonspecular_bounces = bundle.nonspecular_bounces;
   next.first_nonspecular_depth = bundle.first_nonspecular_depth;
   next.has_pixel_footprint = bundle.has_pixel_footprint;
@@ -81,7 +83,7 @@ struct CameraPaths {
     bundle.kind = RayKind::camera;
     bundle.traced = true;
     bundle.hit = hits[i];
-    bundle.depth = 0;
+    bundle.depth = bundle.panes = 0;
     bundle.path_length = bundle.unseen_length = bundle.pdf = 0.0;
     bundle.nonspecular_bounces = bundle.first_nonspecular_depth = 0;
     bundle.has_pixel_footprint = true;

@@ -105,8 +105,7 @@ bool Fan::all_would_leave(BandRange range) const {
 /// A path that meets something that mirrors or refracts takes parted directions along, over
 /// distances that are not known yet.
 bool Fan::goes_on_behind(const Hit& hit) const {
-  const MaterialPlan& material = plan_.materials[hit.material.index()];
-  return material.reflects || material.transmits;
+  return plan_.materials[hit.material.index()].facts().goes_on();
 }
 
 /// The angle between the rays of the outermost bands, with what earlier surfaces have done.

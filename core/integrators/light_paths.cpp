@@ -91,7 +91,7 @@ void LightPaths::shade() {
   // Where light comes straight from its lamp, or has just been scattered, its scattering is the
   // camera paths' to find.
   const bool at_once = bundle().depth == 0 || bundle().pdf > 0.0;
-  if (at_once && !material.specular_part()) return;
+  if (at_once && !material.facts().specular()) return;
   prepare_scattering();
   if (!at_once) {
     if (camera_ && scattering_.spreads()) splat(hit);
@@ -99,7 +99,7 @@ void LightPaths::shade() {
     const MaterialPlan& whole = plan_.materials[hit.material.index()];
     const bool first = bundle().nonspecular_bounces == 0;
     if (camera_ && first && scattering_.spreads()) branch_off_to_specular(hit);
-    if (photons_ && first && (whole.mixed() ? whole.lit : scattering_.spreads())) keep(hit);
+    if (photons_ && first && (whole.mixture ? whole.lit() : scattering_.spreads())) keep(hit);
   }
   const auto [kind, chance] =
       scattering_.choose_specular(scattering_.certain() ? 0.0 : numbers(kScatter).x);
@@ -108,6 +108,8 @@ void LightPaths::shade() {
     return reflect(chance);
   case ScatterKind::refract:
     return refract(chance);
+  case ScatterKind::pass:
+    return pass(chance);
   case ScatterKind::none:
   case ScatterKind::spread:
     break;
@@ -146,8 +148,8 @@ void LightPaths::splat(const Hit& hit) {
                         through ? hit.nesting_after : hit.nesting_before};
   const auto [first, last] = bundle().bands;
   const float* arriving = nullptr;
-  if (plan_.has_drops) {
-    arriving = to_camera_.transmittance(to_eye, distance, first, last, wavelengths_, *counts_);
+  if (plan_.dims_on_the_way()) {
+    arriving = to_camera_.along(to_eye, distance, first, last, wavelengths_, *counts_);
     if (!arriving) return;
   } else {
     counts_->add_any_hit(RayKind::shadow, to_eye, distance);

@@ -39,7 +39,18 @@ void Path::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums&
 void Path::shade() {
   if (!single_scatter_.arrive(bundle(), throughput())) return wait();
   gather();
-  if (bundle().hit.met() && bundle().depth < plan_.settings.max_depth) go_on();
+  if (!bundle().hit.met()) return;
+  if (bundle().depth < plan_.settings.max_depth)
+    go_on();
+  else
+    look_through();
+}
+
+/// A pane does not end the path, however many surfaces it has met: only what it reflects is lost.
+void Path::look_through() {
+  if (!find_material().facts().passes) return;
+  prepare_scattering();
+  pass(1.0);
 }
 
 void Path::gather() {
@@ -97,14 +108,15 @@ void Path::go_on() {
     return reflect(on.chance);
   case ScatterKind::refract:
     return refract(on.chance);
+  case ScatterKind::pass:
+    return pass(on.chance);
   case ScatterKind::spread:
     break;
   }
-  const auto direction = scattering_.sample(numbers(kDirection),
-                                            scattering_.has_lobes() ? numbers(kLobe) : dvec2(0.0));
-  if (!direction) return;
-  const double pdf = scattering_.evaluate(*direction, light_.data());
-  if (pdf > 0.0) scatter(*direction, light_.data(), pdf, scattering_.spread_chance() / on.chance);
+  const auto next = scattering_.sample(
+      numbers(kDirection), scattering_.has_lobes() ? numbers(kLobe) : dvec2(0.0), light_.data());
+  if (!next) return;
+  scatter(next->direction, light_.data(), next->pdf, scattering_.spread_chance() / on.chance);
 }
 
 /// How the path goes on. Where the camera sees a surface itself, or by way of mirrors and glass,

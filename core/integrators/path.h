@@ -35,6 +35,8 @@ private:
   void gather();
   /// Adds what lamps and photons bring to the bundle's hit, and lets what goes on from there wait.
   void go_on();
+  /// The same where the path has met as many surfaces as it may.
+  void look_through();
   [[nodiscard]] Scattering::Choice branch();
   void aim_at_a_lamp(const Hit& hit);
   void look_up_photons(const Hit& hit);

@@ -1,6 +1,7 @@
 #include "core/integrators/random_walk.h"
 
 #include "core/bands/passing_runs.h"
+#include "core/integrators/unseen_boundary.h"
 #include "core/scattering/surface_finish.h"
 
 namespace abbe {
@@ -23,12 +24,14 @@ void RandomWalk::begin(const Sampler& sampler, RayCounts& counts) {
 }
 
 dvec2 RandomWalk::numbers(SamplePurpose purpose) const {
-  return sampler_->pair(purpose + kPerSurface * static_cast<std::uint32_t>(bundle().depth));
+  // At a pane too something is chosen, and the next surface must not choose by the same numbers.
+  const auto surfaces = static_cast<std::uint32_t>(bundle().depth + bundle().panes);
+  return sampler_->pair(purpose + kPerSurface * surfaces);
 }
 
 const MaterialPlan& RandomWalk::find_material() {
   material_ = &plan_.materials[bundle().hit.material.index()];
-  if (material_->mixed()) material_ = &part_of(plan_, *material_, numbers(kSurfaceChoice).y);
+  if (material_->mixture) material_ = &part_of(plan_, *material_, numbers(kSurfaceChoice).y);
   return *material_;
 }
 
@@ -51,16 +54,23 @@ bool RandomWalk::survives(MediumId medium) {
 }
 
 void RandomWalk::go_on(const dvec3& direction, bool through, RayKind kind, double pdf) {
-  Bundle& b = bundle();
-  if (!survives(through ? b.hit.medium_after : b.hit.medium_before)) return;
-  set_off(b, direction, through, kind, b);
-  b.pdf = pdf;
+  if (!survives(through ? bundle().hit.medium_after : bundle().hit.medium_before)) return;
+  set_off(bundle(), direction, through, kind, bundle());
+  bundle().pdf = pdf;
   wait();
 }
 
 void RandomWalk::reflect(double chance) {
   scale(scattering_.reflected(), 1.0 / chance);
   go_on(reflected_direction(), false, RayKind::reflected, 0.0);
+}
+
+void RandomWalk::pass(double chance) {
+  scale(scattering_.transmitted(), 1.0 / chance);
+  if (!survives(bundle().hit.medium_after)) return;
+  ++bundle().panes;
+  pass_unseen_boundary(bundle());
+  wait();
 }
 
 void RandomWalk::scatter(const dvec3& direction, const float* f_cos, double pdf, double weight) {

@@ -28,6 +28,8 @@ protected:
   // end there, the bundle waits to go on, or sub-bundles of it do.
   void reflect(double chance);
   void refract(double chance);
+  /// Straight on through a pane: for what comes later the path has met no surface.
+  void pass(double chance);
   /// Goes on along a direction that Scattering has sampled, with the factors and the pdf that it
   /// gives for it; `weight` makes up for another chance of getting here.
   void scatter(const dvec3& direction, const float* f_cos, double pdf, double weight);

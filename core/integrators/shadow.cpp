@@ -1,8 +1,7 @@
 #include "core/integrators/shadow.h"
 
 #include "core/integrators/absorption.h"
-#include "core/scattering/dielectric.h"
-#include "core/scattering/material_optics.h"
+#include "core/scattering/surface_incidence.h"
 
 #include <algorithm>
 
@@ -14,20 +13,20 @@ ShadowRays::ShadowRays(const Plan& plan, const World& world)
 const float* ShadowRays::transmittance(const RayState& towards_lamp, double distance, int first,
                                        int last, PathWavelengths& wavelengths, RayCounts& counts) {
   through_glass_ = false;
-  switch (plan_.settings.shadows) {
-  case ShadowRule::none:
-    return ones_.data();
-  case ShadowRule::opaque:
-    if (plan_.has_drops) break; // they are in the way, and stop no ray
-    counts.add_any_hit(RayKind::shadow, towards_lamp, distance);
-    return world_.occluded(towards_lamp, distance) ? nullptr : ones_.data();
-  case ShadowRule::automatic: // never in a plan
-  case ShadowRule::attenuated:
-    break;
+  if (plan_.settings.shadows == ShadowRule::none) return ones_.data();
+  return along(towards_lamp, distance, first, last, wavelengths, counts);
+}
+
+const float* ShadowRays::along(const RayState& way, double distance, int first, int last,
+                               PathWavelengths& wavelengths, RayCounts& counts) {
+  through_glass_ = false;
+  if (!through_refracting() && !plan_.dims_on_the_way()) {
+    counts.add_any_hit(RayKind::shadow, way, distance);
+    return world_.occluded(way, distance) ? nullptr : ones_.data();
   }
   std::fill(transmittance_.begin(), transmittance_.end(), 1.0f);
-  return attenuate(towards_lamp, distance, first, last, wavelengths, counts) ? transmittance_.data()
-                                                                             : nullptr;
+  return attenuate(way, distance, first, last, wavelengths, counts) ? transmittance_.data()
+                                                                    : nullptr;
 }
 
 bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
@@ -44,12 +43,14 @@ bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
     // The way may end on a lamp that glows; whether it does, rounding must not decide.
     if (material.emission_source >= 0 && !world_.occluded(state, distance)) return true;
     if (!plan_.unseen(hit)) {
-      if (!material.transmits || plan_.settings.shadows == ShadowRule::opaque) return false;
+      const BsdfFacts facts = material.facts();
       // The path tracer finds what comes through rough glass by scattering.
-      if (material.roughness > 0.0 && plan_.settings.integrator == Integrator::path) return false;
+      const bool refracts = facts.transmits && through_refracting() &&
+                            !(facts.rough && plan_.settings.integrator == Integrator::path);
+      if (!refracts && !facts.passes) return false;
       const double cos_i = std::min(1.0, std::abs(glm::dot(hit.normal, state.ray.direction)));
       pass(material, hit, cos_i, first, last, wavelengths, transmittance_);
-      through_glass_ = true;
+      if (refracts) through_glass_ = true;
     }
     state.ray.origin = hit.point;
     state.contacts = hit.other_side;
@@ -61,19 +62,13 @@ bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
 /// A mixture lets through the mean of what its parts do.
 void ShadowRays::pass(const MaterialPlan& material, const Hit& hit, double cos_i, int first,
                       int last, PathWavelengths& wavelengths, std::vector<float>& light) {
-  if (!material.mixed()) {
-    if (!material.transmits)
-      std::fill(light.begin() + first, light.begin() + last, 0.0f);
-    else if (material.film >= 0)
-      attenuate_straight(
-          material_optics(material, hit.medium_before, hit.medium_after, wavelengths), cos_i, first,
-          last, light.data());
-    else
-      attenuate_straight(material, cos_i, wavelengths.indices(hit.medium_before),
-                         wavelengths.indices(hit.medium_after), first, last, light.data());
+  if (!material.mixture) {
+    Incidence in = surface_incidence(material.bsdf, hit, {first, last}, wavelengths);
+    in.wo = {0.0, 0.0, cos_i};
+    pass_straight(material.bsdf, in, light.data());
     return;
   }
-  const MixturePlan& mix = material.mixture;
+  const MixturePlan& mix = *material.mixture;
   std::vector<float> other = light;
   pass(plan_.materials[static_cast<std::size_t>(mix.first)], hit, cos_i, first, last, wavelengths,
        light);

@@ -18,10 +18,17 @@ public:
   [[nodiscard]] const float* transmittance(const RayState& towards_lamp, double distance, int first,
                                            int last, PathWavelengths& wavelengths,
                                            RayCounts& counts);
+  /// The same along any straight way, whatever the scene says of shadows.
+  [[nodiscard]] const float* along(const RayState& way, double distance, int first, int last,
+                                   PathWavelengths& wavelengths, RayCounts& counts);
   /// True when the last one that arrived went through glass.
   [[nodiscard]] bool through_glass() const { return through_glass_; }
 
 private:
+  /// The thesis's shadow rays go straight through what bends light; panes and drops let all pass.
+  [[nodiscard]] bool through_refracting() const {
+    return plan_.settings.shadows == ShadowRule::attenuated;
+  }
   /// False where nothing arrives.
   [[nodiscard]] bool attenuate(RayState state, double distance, int first, int last,
                                PathWavelengths& wavelengths, RayCounts& counts);

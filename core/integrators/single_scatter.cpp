@@ -62,7 +62,7 @@ void SingleScatter::add(const Bundle& bundle, double length, const MediumPlan& m
                         BandSpan<const float> throughput) {
   const DropsPlan& drops = *medium.drops;
   const double extinction = drops.extinction_per_unit;
-  const double scattered = -std::expm1(-extinction * length); // of a ray that goes on
+  const double scattered = -std::expm1(-extinction * length); // of what comes the whole length
   const double distance = -std::log1p(-place_.x * scattered) / extinction;
   const dvec3 point = bundle.state.ray.at(distance);
   find_lights(point);

@@ -2,11 +2,10 @@
 
 #include "core/bands/band_math.h"
 #include "core/bands/passing_runs.h"
+#include "core/integrators/unseen_boundary.h"
 #include "core/lights/light_kinds.h"
-#include "core/optics/coated_diffuse.h"
-#include "core/scattering/conductor.h"
-#include "core/scattering/material_optics.h"
 #include "core/scattering/surface_finish.h"
+#include "core/scattering/surface_incidence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,11 +24,9 @@ constexpr double kSurePart = 1.0 / 16.0;
 Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, const Lights& lamps,
                  double pixel_angle)
     : BundleWalk(plan, world, pixel_angle, Transport::radiance), scene_(scene), lamps_(lamps),
-      shadow_rays_(plan, world), single_scatter_(scene, plan, world),
-      textured_(0.0f, plan.grid.count()), lit_(plan.stride), coated_(plan.stride) {
-  scatter_.reflected.resize(plan.stride);
-  scatter_.transmitted.resize(plan.stride);
-}
+      shadow_rays_(plan, world), single_scatter_(scene, plan, world), reflected_(plan.stride),
+      transmitted_(plan.stride), textured_(0.0f, plan.grid.count()), lit_(plan.stride),
+      coated_(plan.stride) {}
 
 /// All bundles of a camera sample wait at once.
 void Whitted::start(const CameraPaths& paths) {
@@ -58,9 +55,9 @@ void Whitted::shade_ray(RadianceSums& sums, RayCounts& counts) {
   if (!single_scatter_.arrive(bundle(), throughput())) return wait();
   if (!bundle().hit.met()) return add_background(bundle(), sums);
   const MaterialPlan* material = &plan_.materials[bundle().hit.material.index()];
-  if (material->mixed()) material = &part_of(plan_, *material, decisions_.next());
+  if (material->mixture) material = &part_of(plan_, *material, decisions_.next());
   shade(bundle(), *material, sums, counts);
-  if (bundle().depth < plan_.settings.max_depth) scatter(bundle(), *material);
+  scatter(bundle(), *material);
 }
 
 void Whitted::add_background(const Bundle& bundle, RadianceSums& sums) {
@@ -76,7 +73,7 @@ void Whitted::shade(const Bundle& bundle, const MaterialPlan& material, Radiance
   const Hit& hit = bundle.hit;
   if (material.emits(hit)) add(material.emission_source, ones_);
   if (!material.ambient.zero()) add(Plan::kAmbient, material.ambient);
-  if (material.lit) add_lamps(bundle, material, sums, counts);
+  if (material.lit()) add_lamps(bundle, material, sums, counts);
 }
 
 /// What arrives of a lamp's light, `lit_`, sent back by a coated ground, with lambert's cosine. The
@@ -84,10 +81,10 @@ void Whitted::shade(const Bundle& bundle, const MaterialPlan& material, Radiance
 const float* Whitted::diffuse_under_coat(const Bundle& bundle, const MaterialPlan& material,
                                          const BandTable& diffuse, double cos_o, double cos_i) {
   const auto at = [](double mu) { return dvec3{std::sqrt(std::max(0.0, 1.0 - mu * mu)), 0.0, mu}; };
-  const SurfaceOptics optics =
-      material_optics(material, bundle.hit.medium_before, bundle.hit.medium_after, wavelengths_);
-  (void)evaluate_coated_diffuse({diffuse.data(), std::nullopt, nullptr}, optics, at(cos_o),
-                                at(cos_i), {bundle.bands.first, bundle.bands.last}, coated_.data());
+  Incidence in = surface_incidence(material.bsdf, bundle.hit, bundle.bands, wavelengths_);
+  in.wo = at(cos_o);
+  in.ground = diffuse.data();
+  (void)evaluate(material.bsdf, in, at(cos_i), coated_.data());
   for (int b = bundle.bands.first; b < bundle.bands.last; ++b)
     coated_[static_cast<std::size_t>(b)] *= lit_[static_cast<std::size_t>(b)];
   return coated_.data();
@@ -101,6 +98,7 @@ void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, Radi
   const dvec3 normal = hit.entering ? hit.normal : -hit.normal;
   const auto [first, last] = bundle.bands;
   const float* carried = throughput().data;
+  const bool coated = facts_of(material.bsdf).coats;
   for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
     const Illumination light = illumination(scene_.lights[i], hit.point);
     const double lambert = glm::dot(light.direction, normal);
@@ -112,7 +110,7 @@ void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, Radi
     for (int b = first; b < last; ++b)
       lit_[static_cast<std::size_t>(b)] = carried[b] * arriving[b];
     const int source = plan_.light_source(i);
-    if (material.coat >= 0 && !diffuse.zero())
+    if (coated && !diffuse.zero())
       sums.add(source,
                diffuse_under_coat(bundle, material, diffuse,
                                   std::min(1.0, glm::dot(to_eye, normal)), std::min(1.0, lambert)),
@@ -120,12 +118,11 @@ void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, Radi
     else if (!diffuse.zero())
       sums.add(source, lit_.data(), diffuse, static_cast<float>(light.strength * lambert), first,
                last);
-    if (!material.specular.zero()) {
+    if (material.phong.present()) {
       const dvec3 half = glm::normalize(to_eye + light.direction);
-      const double phong = std::pow(std::max(0.0, glm::dot(half, normal)),
-                                    static_cast<double>(material.specular_exponent));
-      sums.add(source, lit_.data(), material.specular, static_cast<float>(light.strength * phong),
-               first, last);
+      const double phong = material.phong.strength(glm::dot(half, normal));
+      sums.add(source, lit_.data(), material.phong.reflectance,
+               static_cast<float>(light.strength * phong), first, last);
     }
   }
 }
@@ -139,34 +136,16 @@ double Whitted::chance(double importance) const {
 }
 
 void Whitted::scatter(const Bundle& bundle, const MaterialPlan& material) {
+  const BsdfFacts facts = facts_of(material.bsdf);
+  const bool last = bundle.depth >= plan_.settings.max_depth;
+  if (!facts.goes_on() || (last && !facts.passes)) return;
   const Hit& hit = bundle.hit;
-  if (!material.reflects && !material.transmits) return;
-  const double cos_i = std::min(1.0, std::abs(glm::dot(hit.normal, bundle.state.ray.direction)));
-  if (material.film >= 0 || material.coat >= 0) {
-    const SurfaceOptics optics =
-        material_optics(material, hit.medium_before, hit.medium_after, wavelengths_);
-    scatter_smooth(optics, cos_i, bundle.bands.first, bundle.bands.last, Transport::radiance,
-                   scatter_.reflected.data(),
-                   material.transmits ? scatter_.transmitted.data() : nullptr);
-    if (material.reflects) reflect(scatter_.reflected.data());
-    if (material.transmits) refract(scatter_.transmitted.data());
-    return;
-  }
-  if (material.conductor) {
-    reflect_conductor(material, cos_i, wavelengths_.indices(hit.medium_before), bundle.bands.first,
-                      bundle.bands.last, scatter_.reflected.data());
-    reflect(scatter_.reflected.data());
-    return;
-  }
-  if (!material.dielectric) {
-    reflect(material.reflectivity.data());
-    return;
-  }
-  scatter_dielectric(material, cos_i, wavelengths_.indices(hit.medium_before),
-                     wavelengths_.indices(hit.medium_after), bundle.bands.first, bundle.bands.last,
-                     scatter_);
-  if (material.reflects) reflect(scatter_.reflected.data());
-  if (material.transmits) refract(scatter_.transmitted.data());
+  Incidence in = surface_incidence(material.bsdf, hit, bundle.bands, wavelengths_);
+  in.wo = {0.0, 0.0, std::abs(glm::dot(hit.normal, bundle.state.ray.direction))};
+  specular_factors(material.bsdf, in, {reflected_.data(), transmitted_.data()});
+  if (facts.reflects && !last) reflect(reflected_.data());
+  if (facts.transmits) refract(transmitted_.data());
+  if (facts.passes) pass(transmitted_.data());
 }
 
 void Whitted::reflect(const float* factors) {
@@ -176,6 +155,18 @@ void Whitted::reflect(const float* factors) {
   const double survives = chance(brought);
   if (survives < 1.0 && decisions_.next() >= survives) return;
   branch_off_reflection(factors, 1.0 / survives);
+}
+
+/// Straight on through a pane. Where the bundle has met as many surfaces as it may, this is still
+/// done: a pane is not counted.
+void Whitted::pass(const float* factors) {
+  scale(factors, 1.0);
+  const BandSpan<const float> passing = throughput();
+  const double brought =
+      importance(largest_of(passing), passing.bands.first, bundle().hit.medium_after);
+  if (!(brought > plan_.settings.min_throughput)) return;
+  pass_unseen_boundary(bundle());
+  wait();
 }
 
 /// The last that is done with a bundle: its throughput becomes what passes.

@@ -6,7 +6,6 @@
 #include "core/integrators/single_scatter.h"
 #include "core/lights/lights.h"
 #include "core/sampling/sampler.h"
-#include "core/scattering/dielectric.h"
 
 #include <vector>
 
@@ -39,13 +38,14 @@ private:
   void scatter(const Bundle& bundle, const MaterialPlan& material);
   void reflect(const float* factors);
   void refract(const float* factors);
+  void pass(const float* factors);
   [[nodiscard]] double chance(double importance) const;
 
   const Scene& scene_;
   const Lights& lamps_; ///< of which only the sky is seen
   ShadowRays shadow_rays_;
   SingleScatter single_scatter_;
-  DielectricScatter scatter_;
+  std::vector<float> reflected_, transmitted_; ///< factors of the surface being shaded
   BandTable textured_;
   DecisionStream decisions_;
 

@@ -20,9 +20,11 @@ void for_each_specular(const Scene& scene, const Plan& plan, Visit&& visit) {
     if (of_drops && plan.materials[placed.material.index()].clear) continue; // bends no light
     bool reflects = false, transmits = false;
     const auto add = [&](MaterialId id) {
-      if (!id.valid() || !plan.materials[id.index()].specular_part()) return;
-      reflects = reflects || plan.materials[id.index()].reflects;
-      transmits = transmits || plan.materials[id.index()].transmits;
+      if (!id.valid()) return;
+      const BsdfFacts facts = plan.materials[id.index()].facts();
+      if (!facts.specular()) return;
+      reflects = reflects || facts.reflects;
+      transmits = transmits || facts.transmits;
     };
     add(placed.material);
     if (const auto* tree = std::get_if<CsgTree>(&placed.shape))

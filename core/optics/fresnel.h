@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -31,6 +32,24 @@ using glm::dvec3;
 [[nodiscard]] inline double fresnel_reflectance(double cos_i, double eta) {
   const auto cos_t = refracted_cosine(cos_i, eta);
   return cos_t ? fresnel_reflectance(cos_i, *cos_t, eta) : 1.0;
+}
+
+/// What a boundary returns and lets through, before a surface scales it.
+struct Fractions {
+  double reflected, transmitted;
+};
+
+/// A smooth boundary between two clear media. Without Fresnel's equations all light is returned and
+/// all is let through, but under total internal reflection, where none is. In line, so that loops
+/// over bands can be done for several at once.
+[[gnu::always_inline]] [[nodiscard]] inline Fractions
+dielectric_fractions(bool fresnel, double cos_i, double n_before, double n_after) {
+  const double eta = n_after / n_before, inverse = n_before / n_after;
+  const double cos2_t = 1.0 - (1.0 - cos_i * cos_i) * (inverse * inverse);
+  const bool passes = cos2_t > 0.0;
+  const double cos_t = std::sqrt(std::max(cos2_t, 0.0));
+  const double reflectance = passes ? fresnel_reflectance(cos_i, cos_t, eta) : 1.0;
+  return {fresnel ? reflectance : 1.0, fresnel ? 1.0 - reflectance : (passes ? 1.0 : 0.0)};
 }
 
 /// `normal` is unit and faces the incoming `direction`.

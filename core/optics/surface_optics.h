@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/optics/fresnel.h"
 #include "core/optics/transport.h"
 
 namespace abbe {
@@ -11,11 +12,6 @@ struct FilmOptics {
   const double* lambda_nm = nullptr; ///< per band, the wavelength at which `index` was taken
 };
 
-/// What a boundary returns and lets through, before a finish scales it.
-struct Fractions {
-  double reflected, transmitted;
-};
-
 /// The optics of a smooth boundary, or of one facet of a rough one, as arrays over bands: a
 /// dielectric, or a metal where `metal_n` is given. Holds no memory of its own.
 struct SurfaceOptics {
@@ -25,7 +21,7 @@ struct SurfaceOptics {
   const float* metal_n = nullptr;   ///< complex index n - i k
   const float* metal_k = nullptr;
   FilmOptics film;
-  bool fresnel = true; ///< without, all light is returned and all is let through but under TIR
+  bool fresnel = true;                 ///< of a dielectric, see dielectric_fractions
   const float* reflectivity = nullptr; ///< scale the two fractions; null: 1 in all bands
   const float* transparency = nullptr;
 
@@ -39,17 +35,6 @@ struct SurfaceOptics {
   /// serves all.
   [[nodiscard]] bool alike(int first, int last) const;
 };
-
-/// What a smooth boundary does to light at one angle: fills [first, last) of `reflected` and
-/// `transmitted`, the latter with (n_before / n_after)^2 for radiance. The latter is null where it
-/// is not asked for.
-void scatter_smooth(const SurfaceOptics& optics, double cos_i, int first, int last,
-                    Transport transport, float* reflected, float* transmitted);
-
-/// The transmittance for the thesis's attenuated shadow ray, which goes straight on, multiplied
-/// into [first, last); the angle is taken in the thinner medium.
-void attenuate_straight(const SurfaceOptics& optics, double cos_i, int first, int last,
-                        float* transmittance);
 
 /// The bands of a bundle: [first, last) where `live` is not 0; all of them where it is null. Dead
 /// bands carry no power and so take no part in random decisions.

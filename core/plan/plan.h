@@ -5,7 +5,7 @@
 #include "core/bands/index_table.h"
 #include "core/drops/drop_phase_function.h"
 #include "core/emitters/environment_map.h"
-#include "core/optics/albedo_table.h"
+#include "core/plan/material_plan.h"
 #include "core/plan/texture_plan.h"
 #include "core/scene/scene.h"
 #include "geometry/ray_state.h"
@@ -23,43 +23,6 @@ namespace abbe {
 struct SourcePlan {
   int accumulator = 0;
   BandTable factor;
-};
-
-/// Mixture by index into Plan::materials.
-struct MixturePlan {
-  int first = -1, second = -1; ///< negative: no mixture
-  double share = 0.0;
-};
-
-/// A material at the bands, and which of its parts are there at all.
-struct MaterialPlan {
-  BandTable ambient, diffuse, specular, reflectivity, transparency;
-  float specular_exponent = 1.0f;
-  bool fresnel = true;
-  BandTable metal_n, metal_k; ///< of a conductor
-  double roughness = 0.0;     ///< see Material::roughness
-  bool compensation = true;
-  std::optional<GgxAlbedo> mirror_albedo;       ///< of a rough surface with compensation
-  std::optional<DielectricAlbedo> glass_albedo; ///< the same, or of a rough coat
-  double film_nm = 0.0;                         ///< thickness of the thin film
-  int film = -1, coat = -1; ///< indices into Plan::layers; negative: there is none
-  bool conductor = false;
-  bool dielectric = false; ///< lets light in, so reflection too goes by its index
-  bool reflects = false, transmits = false, lit = false; ///< what paths follow
-  bool emits_behind = true;
-  bool clear = false;       ///< lets everything through and adds nothing
-  int emission_source = -1; ///< index into Plan::sources; negative: emits nothing
-  int texture = -1;         ///< index into TexturePlans::textures; negative: `diffuse` holds
-  /// Of a mixture only the flags count, which are those of either part; see part_of.
-  MixturePlan mixture;
-
-  [[nodiscard]] bool mixed() const { return mixture.first >= 0; }
-  /// True when some light goes on along the one reflected or refracted ray.
-  [[nodiscard]] bool specular_part() const { return roughness == 0.0 && (reflects || transmits); }
-  /// True when a ray that meets the surface sees light that it gives off.
-  [[nodiscard]] bool emits(const Hit& hit) const {
-    return emission_source >= 0 && (hit.entering || emits_behind);
-  }
 };
 
 /// Drops at the bands. A phase function is there where the scene has such lamps.
@@ -111,6 +74,7 @@ struct Plan {
   MediumPlan vacuum;
   std::vector<IndexTable> layers; ///< of thin films and coats
   bool has_drops = false;         ///< some medium has
+  bool has_panes = false;         ///< some material lets light straight through
 
   PixelWindow window; ///< what is rendered
   std::vector<Tile> tiles;
@@ -142,6 +106,9 @@ struct Plan {
     return materials[hit.material.index()].clear && airy(hit.medium_before) &&
            airy(hit.medium_after);
   }
+
+  /// False when whatever lies between two places either stops all light or none.
+  [[nodiscard]] bool dims_on_the_way() const { return has_drops || has_panes; }
 
   static constexpr int kBackground = 0, kAmbient = 1;
   [[nodiscard]] int light_source(std::size_t light) const { return 2 + static_cast<int>(light); }

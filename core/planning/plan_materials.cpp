@@ -9,15 +9,13 @@
 namespace abbe {
 namespace {
 
-/// Paths follow what either part does. Light that it gives off is met by chance only.
+/// Light that a mixture gives off is met by chance only.
 MaterialPlan planned_mixture(const Plan& plan, const Mixture& mixture) {
   const MaterialPlan &a = plan.materials[mixture.first.index()],
                      &b = plan.materials[mixture.second.index()];
   MaterialPlan m;
-  m.reflects = a.reflects || b.reflects;
-  m.transmits = a.transmits || b.transmits;
-  m.lit = a.lit || b.lit;
-  m.mixture = {mixture.first.value, mixture.second.value, mixture.share};
+  m.mixture = {mixture.first.value, mixture.second.value, mixture.share,
+               either(a.facts(), b.facts()), a.lit() || b.lit()};
   return m;
 }
 
@@ -26,7 +24,7 @@ bool is_clear(const Material& material) {
   return material.transparency.constant_value() == 1.0 && absent(material.reflectivity) &&
          absent(material.ambient) && absent(material.diffuse) && absent(material.specular) &&
          absent(material.emission) && material.roughness == 0.0 && !material.film &&
-         !material.coat && !material.texture && !material.mixture;
+         !material.coat && !material.texture && !material.mixture && !material.pane;
 }
 
 } // namespace
@@ -40,45 +38,22 @@ std::vector<double> table_wavelengths(const Plan& plan) {
 
 void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
   const RenderSettings& settings = plan.settings;
-  const std::vector<double> nm = table_wavelengths(plan);
-  const auto table = [&](const Curve& curve) {
-    return BandTable::at_wavelengths(nm, curve, settings.skip.constant_curves);
-  };
-  const auto largest = [&](const BandTable& t) {
-    float most = 0.0f;
-    for (int b = 0; b < plan.grid.count(); ++b)
-      most = std::max(most, t[b]);
-    return most;
-  };
+  const CurveTables tables(table_wavelengths(plan), settings.skip.constant_curves);
   for (const Material& material : scene.materials) {
     MaterialPlan m;
-    m.ambient = table(material.ambient);
-    m.diffuse = table(material.diffuse);
-    m.specular = table(material.specular);
-    m.reflectivity = table(material.reflectivity);
-    m.transparency = table(material.transparency);
-    m.specular_exponent = static_cast<float>(material.specular_exponent);
-    m.fresnel = material.fresnel;
-    m.conductor = material.metal.has_value();
-    if (m.conductor) {
-      m.metal_n = table(material.metal->n);
-      m.metal_k = table(material.metal->k);
-    }
-    plan_surface(material, m, plan);
-    m.dielectric = !m.transparency.zero();
-    m.reflects = largest(m.reflectivity) > static_cast<float>(settings.min_reflectivity);
-    m.transmits = largest(m.transparency) > static_cast<float>(settings.min_transparency);
-    m.lit = !m.diffuse.zero() || !m.specular.zero();
-    if (material.texture) {
-      m.texture = plan_texture(plan.textures, *material.texture, scene.images, nm,
-                               settings.skip.constant_curves);
-      m.lit = true;
-    }
+    m.ambient = tables.of(material.ambient);
+    m.diffuse = tables.of(material.diffuse);
+    m.phong = {tables.of(material.specular), static_cast<float>(material.specular_exponent)};
+    m.bsdf = plan_bsdf(material, tables, plan);
+    if (material.texture)
+      m.texture = plan_texture(plan.textures, *material.texture, scene.images,
+                               tables.wavelengths_nm(), settings.skip.constant_curves);
     m.emits_behind = material.emits_behind;
     m.clear = is_clear(material);
     if (material.emission.constant_value() != 0.0)
       m.emission_source = sources.add(material.emission);
     if (material.mixture) m = planned_mixture(plan, *material.mixture);
+    plan.has_panes = plan.has_panes || m.facts().passes;
     plan.materials.push_back(std::move(m));
   }
 }

@@ -67,7 +67,7 @@ void note_content(const Scene& scene, Plan& plan) {
   for (const Medium& medium : scene.media)
     if (medium.drops) plan.notes.push_back(note_of(*medium.drops));
   const bool refracts = std::any_of(plan.materials.begin(), plan.materials.end(),
-                                    [](const MaterialPlan& m) { return m.transmits; });
+                                    [](const MaterialPlan& m) { return m.facts().transmits; });
   if (!refracts)
     plan.notes.push_back("nothing refracts: no Fresnel, no fans");
   else if (glasses == 0)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace abbe {
 namespace {
@@ -33,40 +34,79 @@ double largest_ratio(const Plan& plan) {
   return most / least;
 }
 
+FilmLayer plan_film(const Material& material, Plan& plan) {
+  if (!material.film) return {};
+  const int layer = add_layer(material.film->index, plan);
+  return {material.fresnel ? material.film->thickness_nm : 0.0, layer};
+}
+
+/// A part whose every band is below the least that is followed is absent.
+BandTable unless_faint(BandTable table, double least, int bands) {
+  float most = 0.0f;
+  for (int b = 0; b < bands; ++b)
+    most = std::max(most, table[b]);
+  return most > static_cast<float>(least) ? std::move(table) : BandTable(0.0f, bands);
+}
+
 } // namespace
 
-void plan_surface(const Material& material, MaterialPlan& planned, Plan& plan) {
-  planned.roughness = material.roughness < kSmoothest ? 0.0 : material.roughness;
-  planned.compensation = material.compensation;
-  if (material.film) {
-    planned.film_nm = material.film->thickness_nm;
-    planned.film = add_layer(material.film->index, plan);
+BandTable CurveTables::of(const Curve& curve) const {
+  return BandTable::at_wavelengths(nm_, curve, keep_constant_);
+}
+
+Bsdf plan_bsdf(const Material& material, const CurveTables& tables, Plan& plan) {
+  const RenderSettings& settings = plan.settings;
+  const int bands = plan.grid.count();
+  if (material.pane) {
+    const ThinPane& pane = *material.pane;
+    return ThinGlass{
+        add_layer(pane.index, plan), tables.of(pane.absorption_per_mm.scaled(pane.thickness_mm)),
+        unless_faint(tables.of(material.reflectivity), settings.min_reflectivity, bands),
+        unless_faint(tables.of(material.transparency), settings.min_transparency, bands)};
   }
-  if (material.coat) {
-    planned.coat = add_layer(*material.coat, plan);
-    planned.reflectivity = BandTable(1.0f, plan.grid.count());
-    planned.fresnel = true;
+  // A film that Fresnel's equations do not see is none, but remains a layer of the plan.
+  const FilmLayer film = plan_film(material, plan);
+  const double roughness = material.roughness < kSmoothest ? 0.0 : material.roughness;
+  if (material.coat) return CoatedDiffuse{add_layer(*material.coat, plan), roughness, std::nullopt};
+
+  const BandTable given_transparency = tables.of(material.transparency);
+  const BandTable reflectivity =
+      unless_faint(tables.of(material.reflectivity), settings.min_reflectivity, bands);
+  if (!given_transparency.zero()) {
+    const BandTable transparency =
+        unless_faint(given_transparency, settings.min_transparency, bands);
+    if (reflectivity.zero() && transparency.zero()) return Diffuse{};
+    const Dielectric smooth{reflectivity, transparency, material.fresnel, film};
+    if (roughness == 0.0) return smooth;
+    return RoughDielectric{smooth, roughness, material.compensation, std::nullopt};
   }
+  if (reflectivity.zero()) return Diffuse{};
+  if (material.metal && material.fresnel) {
+    const Conductor smooth{reflectivity, tables.of(material.metal->n), tables.of(material.metal->k),
+                           film};
+    if (roughness == 0.0) return smooth;
+    return RoughConductor{smooth, roughness, material.compensation, std::nullopt};
+  }
+  const Mirror smooth{reflectivity};
+  if (roughness == 0.0) return smooth;
+  return RoughConductor{smooth, roughness, material.compensation, std::nullopt};
 }
 
 void plan_albedos(Plan& plan) {
   if (plan.settings.integrator != Integrator::path) return;
   const double eta_max = largest_ratio(plan);
-  for (MaterialPlan& m : plan.materials) {
-    if (m.roughness == 0.0 || !(m.reflects || m.transmits)) continue;
-    const Ggx ggx = Ggx::from_roughness(m.roughness);
-    if (m.coat >= 0 || (m.dielectric && m.compensation && eta_max > 1.0))
-      m.glass_albedo.emplace(ggx, std::max(eta_max, 1.01));
-    else if (!m.dielectric && m.compensation)
-      m.mirror_albedo.emplace(ggx);
-  }
+  for (MaterialPlan& material : plan.materials)
+    std::visit(
+        [&](auto& bsdf) {
+          if constexpr (requires { bsdf.find_albedo(eta_max); }) bsdf.find_albedo(eta_max);
+        },
+        material.bsdf);
 }
 
 void note_surfaces(Plan& plan) {
   if (plan.settings.integrator != Integrator::whitted) return;
-  const auto rough = std::count_if(plan.materials.begin(), plan.materials.end(), [](const auto& m) {
-    return m.roughness > 0.0 && (m.reflects || m.transmits);
-  });
+  const auto rough = std::count_if(plan.materials.begin(), plan.materials.end(),
+                                   [](const MaterialPlan& m) { return m.facts().rough; });
   if (rough > 0)
     plan.notes.push_back(fmt::format("{} rough material{}: whitted shows {} smooth", rough,
                                      rough == 1 ? "" : "s", rough == 1 ? "it" : "them"));

@@ -1,57 +1,28 @@
 #include "core/scattering/scattering.h"
 
 #include "core/bands/band_math.h"
-#include "core/emitters/cone.h"
-#include "core/optics/coated_diffuse.h"
-#include "core/optics/rough_conductor.h"
-#include "core/optics/rough_dielectric.h"
-#include "core/scattering/conductor.h"
-#include "core/scattering/material_optics.h"
+#include "core/scattering/surface_incidence.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace abbe {
-namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-/// A direction with density cos / pi about z, by projecting a disc up.
-dvec3 cosine_direction(const dvec2& u) {
-  const dvec2 p = disc_point(u);
-  return {p.x, p.y, std::sqrt(std::max(0.0, 1.0 - glm::dot(p, p)))};
-}
-
-/// The coat of a coated material, which has one.
-CoatedDiffuse coated(const MaterialPlan& material, const BandTable& diffuse) {
-  CoatedDiffuse surface{diffuse.data(), std::nullopt, nullptr};
-  if (material.glass_albedo) {
-    surface.rough = Ggx::from_roughness(material.roughness);
-    surface.albedo = &*material.glass_albedo;
-  }
-  return surface;
-}
-
-} // namespace
 
 Scattering::Scattering(const Plan& plan, Transport transport)
-    : plan_(plan), transport_(transport), facet_light_(plan.stride) {
-  factors_.reflected.resize(plan.stride);
-  factors_.transmitted.resize(plan.stride);
-}
+    : plan_(plan), transport_(transport), reflected_(plan.stride), transmitted_(plan.stride),
+      facet_light_(plan.stride) {}
 
 /// The sum over bands of throughput times a part's factors.
 double Scattering::brought(const float* factors) const {
-  return static_cast<double>(weighted_sum(throughput_, factors, first_, last_));
+  return static_cast<double>(weighted_sum(in_.live, factors, in_.first, in_.last));
 }
 
 /// A rough boundary between media of the same index is none, and so is not rough.
 bool Scattering::rough() const {
-  if (material_->roughness == 0.0 || !(to_eye_.z > 0.0)) return false;
-  if (!material_->dielectric) return true;
-  for (int b = first_; b < last_; ++b)
-    if (optics_.n_before[b] != optics_.n_after[b]) return true;
+  if (!facts_.rough || !(in_.wo.z > 0.0)) return false;
+  if (!facts_.transmits) return true;
+  for (int b = in_.first; b < in_.last; ++b)
+    if (in_.n_before[b] != in_.n_after[b]) return true;
   return false;
 }
 
@@ -59,21 +30,24 @@ void Scattering::prepare(const MaterialPlan& material, const BandTable& diffuse,
                          const dvec3& direction, int first, int last, const float* throughput,
                          PathWavelengths& wavelengths) {
   material_ = &material;
+  facts_ = facts_of(material.bsdf);
   diffuse_ = &diffuse;
-  hit_ = &hit;
-  first_ = first;
-  last_ = last;
-  throughput_ = throughput;
+  in_.first = first;
+  in_.last = last;
+  in_.live = throughput;
   reflect_ = refract_ = spread_ = facets_ = 0.0;
   const dvec3 normal = hit.entering ? hit.normal : -hit.normal;
-  if (material.lit || material.roughness > 0.0) {
+  dvec3 wo{0.0};
+  if (material.lit() || facts_.rough) {
     frame_ = Frame(normal);
-    to_eye_ = frame_.to_local(-direction);
+    wo = frame_.to_local(-direction);
   } else {
     frame_.z = normal;
-    to_eye_ = {0.0, 0.0, -glm::dot(direction, normal)};
+    wo = {0.0, 0.0, -glm::dot(direction, normal)};
   }
-  if (material.reflects || material.transmits) find_smooth_parts(wavelengths);
+  in_.wo = wo;
+  if (facts_.goes_on()) find_smooth_parts(hit, wavelengths);
+  in_.ground = diffuse.data();
   find_spreading_parts();
   const double total = reflect_ + refract_ + spread_;
   if (!(total > 0.0)) return;
@@ -82,69 +56,53 @@ void Scattering::prepare(const MaterialPlan& material, const BandTable& diffuse,
   spread_ /= total;
 }
 
-void Scattering::find_smooth_parts(PathWavelengths& wavelengths) {
-  const double cos_i = std::min(1.0, std::abs(to_eye_.z));
-  const MaterialPlan& material = *material_;
-  const bool layered = material.film >= 0 || material.coat >= 0;
-  if (layered || material.roughness > 0.0)
-    optics_ = material_optics(material, hit_->medium_before, hit_->medium_after, wavelengths);
-  float* reflected = factors_.reflected.data();
-  if (layered) {
-    scatter_smooth(optics_, cos_i, first_, last_, transport_, reflected,
-                   material.transmits ? factors_.transmitted.data() : nullptr);
-  } else if (material.dielectric) {
-    scatter_dielectric(material, cos_i, wavelengths.indices(hit_->medium_before),
-                       wavelengths.indices(hit_->medium_after), first_, last_, factors_,
-                       transport_);
-  } else if (material.conductor) {
-    reflect_conductor(material, cos_i, wavelengths.indices(hit_->medium_before), first_, last_,
-                      reflected);
-  } else {
-    std::copy_n(material.reflectivity.data() + first_, last_ - first_, reflected + first_);
-  }
-  if (material.transmits) {
+void Scattering::find_smooth_parts(const Hit& hit, PathWavelengths& wavelengths) {
+  const Incidence at = surface_incidence(material_->bsdf, hit, {in_.first, in_.last}, wavelengths);
+  in_.n_before = at.n_before;
+  in_.n_after = at.n_after;
+  in_.n_layer = at.n_layer;
+  in_.lambda_nm = at.lambda_nm;
+  in_.transport = transport_;
+  specular_factors(material_->bsdf, in_, {reflected_.data(), transmitted_.data()});
+  if (facts_.transmits) {
     // Radiance in a dense medium is n^2 times that outside and will lose this again: what counts
     // is the flux.
-    const int b = std::max(first_, plan_.live_first); // whether or not dead bands are carried
-    const double eta = transport_ == Transport::radiance
-                           ? wavelengths.indices(hit_->medium_after)[b] /
-                                 wavelengths.indices(hit_->medium_before)[b]
-                           : 1.0;
-    refract_ = eta * eta * brought(factors_.transmitted.data());
+    const int b = std::max(in_.first, plan_.live_first); // whether or not dead bands are carried
+    const double eta = transport_ == Transport::radiance ? in_.n_after[b] / in_.n_before[b] : 1.0;
+    refract_ = eta * eta * brought(transmitted_.data());
   }
-  if (material.reflects) reflect_ = brought(reflected);
+  if (facts_.passes) refract_ = brought(transmitted_.data());
+  if (facts_.reflects) reflect_ = brought(reflected_.data());
 }
 
 /// What facets reflect and refract is spread, in proportion to what a smooth surface would bring.
 void Scattering::find_spreading_parts() {
   // Lambert's part alone needs no comparing.
-  if (!material_->reflects && !material_->transmits && material_->specular.zero()) {
+  if (!facts_.goes_on() && !material_->phong.present()) {
     spread_ = diffuse_->zero() ? 0.0 : 1.0;
     lambert_ = 1.0;
     return;
   }
   double diffuse = brought(diffuse_->data());
-  const double phong = brought(material_->specular.data());
-  if (material_->coat >= 0 && rough()) {
+  const double phong = brought(material_->phong.reflectance.data());
+  const bool rough = this->rough();
+  if (facts_.coats && rough) {
     diffuse += reflect_;
     reflect_ = 0.0;
   }
   spread_ = diffuse + phong;
   lambert_ = spread_ > 0.0 ? diffuse / spread_ : 1.0;
-  if (!material_->specular_part() && material_->coat < 0 &&
-      (material_->reflects || material_->transmits)) {
-    if (!rough()) return; // seen along the surface, or through none
-    const double facets = reflect_ + refract_;
-    reflect_ = refract_ = 0.0;
-    spread_ += facets;
-    facets_ = spread_ > 0.0 ? facets / spread_ : 0.0;
-  }
+  if (!facts_.rough || facts_.coats || !rough) return; // not rough when seen along the surface
+  const double facets = reflect_ + refract_;
+  reflect_ = refract_ = 0.0;
+  spread_ += facets;
+  facets_ = spread_ > 0.0 ? facets / spread_ : 0.0;
 }
 
 Scattering::Choice Scattering::choose(double u) const {
   if (u < spread_) return {ScatterKind::spread, spread_};
   if (u < spread_ + reflect_) return {ScatterKind::reflect, reflect_};
-  if (refract_ > 0.0) return {ScatterKind::refract, refract_};
+  if (refract_ > 0.0) return {through(), refract_};
   if (reflect_ > 0.0) return {ScatterKind::reflect, reflect_}; // u was rounded past the sum
   if (spread_ > 0.0) return {ScatterKind::spread, spread_};
   return {};
@@ -165,7 +123,7 @@ Scattering::Branches Scattering::branch(double u, double eagerness) const {
     const double chosen = (u - (1.0 - on)) / on * other;
     branches.on = chosen < spread_ || refract_ == 0.0
                       ? Choice{ScatterKind::spread, on * (spread_ / other)}
-                      : Choice{ScatterKind::refract, on * (refract_ / other)};
+                      : Choice{through(), on * (refract_ / other)};
   }
   return branches;
 }
@@ -175,122 +133,53 @@ Scattering::Choice Scattering::choose_specular(double u) const {
   if (!(sum > 0.0)) return {};
   const double share = reflect_ / sum;
   if (refract_ == 0.0 || u < share) return {ScatterKind::reflect, share};
-  return {ScatterKind::refract, refract_ / sum};
-}
-
-/// Of Blinn's half vector: (e + 1) / (2 pi) cos^e about z, over four times the cosine between the
-/// eye and it.
-double Scattering::phong_density(const dvec3& local) const {
-  const dvec3 half = glm::normalize(to_eye_ + local);
-  const double e = static_cast<double>(material_->specular_exponent);
-  const double cosine = glm::dot(to_eye_, half);
-  if (!(cosine > 0.0)) return 0.0;
-  return (e + 1.0) / (8.0 * kPi * cosine) * std::pow(std::max(0.0, half.z), e);
-}
-
-double Scattering::evaluate_facets(const dvec3& local, float* f_cos) const {
-  const BandSet bands{first_, last_, throughput_};
-  const Ggx ggx = Ggx::from_roughness(material_->roughness);
-  const auto table = [](const auto& albedo) { return albedo ? &*albedo : nullptr; };
-  if (material_->dielectric)
-    return evaluate_rough_dielectric({ggx, table(material_->glass_albedo)}, optics_, to_eye_, local,
-                                     bands, transport_, f_cos);
-  return evaluate_rough_conductor({ggx, table(material_->mirror_albedo)}, optics_, to_eye_, local,
-                                  bands, f_cos);
-}
-
-std::optional<dvec3> Scattering::sample_facets(const dvec2& u, const dvec2& lobe) const {
-  const Ggx ggx = Ggx::from_roughness(material_->roughness);
-  const auto table = [](const auto& albedo) { return albedo ? &*albedo : nullptr; };
-  if (material_->dielectric)
-    return sample_rough_dielectric({ggx, table(material_->glass_albedo)}, optics_, to_eye_,
-                                   live_band(lobe.y), u, lobe.x);
-  return sample_rough_conductor({ggx, table(material_->mirror_albedo)}, to_eye_, u, lobe.x);
-}
-
-/// Lambert's part, or that of a coated ground.
-double Scattering::evaluate_diffuse(const dvec3& local, float* f_cos) const {
-  if (material_->coat >= 0 && to_eye_.z > 0.0) {
-    const double density = evaluate_coated_diffuse(coated(*material_, *diffuse_), optics_, to_eye_,
-                                                   local, {first_, last_, throughput_}, f_cos);
-    return material_->roughness > 0.0 ? density : local.z / kPi;
-  }
-  const float lambert = static_cast<float>(local.z / kPi);
-  const float* diffuse = diffuse_->data();
-  for (int b = first_; b < last_; ++b)
-    f_cos[b] = diffuse[b] * lambert;
-  return local.z / kPi;
-}
-
-std::optional<dvec3> Scattering::sample_diffuse(const dvec2& u, const dvec2& lobe) const {
-  if (material_->coat >= 0 && rough())
-    return sample_coated_diffuse(coated(*material_, *diffuse_), optics_, to_eye_, live_band(lobe.y),
-                                 u, lobe.x);
-  return cosine_direction(u);
-}
-
-dvec3 Scattering::sample_phong(const dvec2& u) const {
-  const double e = static_cast<double>(material_->specular_exponent);
-  const double z = std::pow(u.x, 1.0 / (e + 1.0));
-  const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
-  const dvec3 half(r * circle_point(u.y), z);
-  return 2.0 * glm::dot(to_eye_, half) * half - to_eye_;
-}
-
-/// One of the bands that carry light.
-int Scattering::live_band(double choice) const {
-  const auto live = [&](int b) { return throughput_[b] != 0.0f; };
-  int count = 0;
-  for (int b = first_; b < last_; ++b)
-    count += live(b);
-  int left = static_cast<int>(choice * count);
-  for (int b = first_; b < last_; ++b)
-    if (live(b) && left-- == 0) return b;
-  return first_;
+  return {through(), refract_ / sum};
 }
 
 double Scattering::evaluate(const dvec3& towards, float* f_cos) {
   const double cosine = glm::dot(towards, frame_.z);
-  double density = 0.0;
+  double pdf = 0.0;
   if (cosine > 0.0 && facets_ < 1.0) {
     const dvec3 local = frame_.to_local(towards);
-    density = lambert_ * evaluate_diffuse(local, f_cos);
-    if (!material_->specular.zero()) {
-      // The thesis's highlight has no cosine; see docs/decisions/materials-and-light.md.
-      const dvec3 half = glm::normalize(to_eye_ + local);
-      const double e = static_cast<double>(material_->specular_exponent);
-      const auto phong = static_cast<float>(std::pow(std::max(0.0, half.z), e) / kPi);
-      const float* specular = material_->specular.data();
-      for (int b = first_; b < last_; ++b)
-        f_cos[b] += specular[b] * phong;
-      density += (1.0 - lambert_) * phong_density(local);
-    }
-    density *= 1.0 - facets_;
+    pdf = lambert_ * (facts_.coats ? abbe::evaluate(material_->bsdf, in_, local, f_cos)
+                                   : Diffuse().evaluate(in_, local, f_cos));
+    if (material_->phong.present())
+      pdf += (1.0 - lambert_) * material_->phong.add(in_, local, f_cos);
+    pdf *= 1.0 - facets_;
   } else {
-    std::fill(f_cos + first_, f_cos + last_, 0.0f);
+    std::fill(f_cos + in_.first, f_cos + in_.last, 0.0f);
   }
   if (facets_ > 0.0) {
-    density += facets_ * evaluate_facets(frame_.to_local(towards), facet_light_.data());
-    for (int b = first_; b < last_; ++b)
+    pdf += facets_ *
+           abbe::evaluate(material_->bsdf, in_, frame_.to_local(towards), facet_light_.data());
+    for (int b = in_.first; b < in_.last; ++b)
       f_cos[b] += facet_light_[static_cast<std::size_t>(b)];
   }
-  return spread_ * density;
+  return spread_ * pdf;
 }
 
-std::optional<dvec3> Scattering::sample(const dvec2& u, const dvec2& lobe) const {
+std::optional<dvec3> Scattering::sample_local(const dvec2& u, const dvec2& lobe) const {
+  if (lobe.x < facets_) return abbe::sample(material_->bsdf, in_, u, {lobe.x / facets_, lobe.y});
   std::optional<dvec3> local;
-  if (lobe.x < facets_) {
-    local = sample_facets(u, {lobe.x / facets_, lobe.y});
+  if (u.x < lambert_) {
+    const dvec2 rest{u.x / lambert_, u.y};
+    const dvec2 rest_of_lobe{(lobe.x - facets_) / (1.0 - facets_), lobe.y};
+    local = facts_.coats ? abbe::sample(material_->bsdf, in_, rest, rest_of_lobe)
+                         : Diffuse().sample(in_, rest, rest_of_lobe);
   } else {
-    const dvec2 rest{(lobe.x - facets_) / (1.0 - facets_), lobe.y};
-    if (u.x < lambert_)
-      local = sample_diffuse({u.x / lambert_, u.y}, rest);
-    else
-      local = sample_phong({(u.x - lambert_) / (1.0 - lambert_), u.y});
-    if (!(local && local->z > 0.0)) return std::nullopt;
+    local = material_->phong.sample(in_, {(u.x - lambert_) / (1.0 - lambert_), u.y});
   }
+  if (!(local && local->z > 0.0)) return std::nullopt;
+  return local;
+}
+
+std::optional<BsdfSample> Scattering::sample(const dvec2& u, const dvec2& lobe, float* f_cos) {
+  const auto local = sample_local(u, lobe);
   if (!local) return std::nullopt;
-  return frame_.to_world(*local);
+  const dvec3 direction = frame_.to_world(*local);
+  const double pdf = evaluate(direction, f_cos);
+  if (!(pdf > 0.0)) return std::nullopt;
+  return BsdfSample{direction, pdf};
 }
 
 } // namespace abbe

@@ -2,11 +2,7 @@
 
 #include "core/bundles/path_wavelengths.h"
 #include "core/optics/frame.h"
-#include "core/optics/surface_optics.h"
-#include "core/scattering/dielectric.h"
 #include "geometry/ray_state.h"
-
-#include <glm/vec2.hpp>
 
 #include <optional>
 #include <vector>
@@ -16,11 +12,18 @@ namespace abbe {
 using glm::dvec2;
 
 /// How a path goes on from a surface: along the one reflected ray, along the refracted rays (each
-/// band its own), or to any side by a density.
-enum class ScatterKind : std::uint8_t { none, reflect, refract, spread };
+/// band its own), straight through a pane, or to any side by a pdf.
+enum class ScatterKind : std::uint8_t { none, reflect, refract, pass, spread };
 
-/// What one surface does with one bundle: the mirror's part and the glass's part as factors per
-/// band, and the part that spreads light as a function of direction.
+/// A direction that the spreading part of a surface was asked for.
+struct BsdfSample {
+  dvec3 direction{0.0}; ///< where light comes from, unit
+  double pdf = 0.0;     ///< per steradian, as Scattering::evaluate gives it
+};
+
+/// What one surface does with one bundle. A material is a sum: Lambert's part, Phong's highlight
+/// and its BSDF. Of these the specular light is factors per band on the reflected and the refracted
+/// rays; all else is spread, as a function of direction.
 class Scattering {
 public:
   Scattering(const Plan& plan, Transport transport);
@@ -37,7 +40,7 @@ public:
   [[nodiscard]] bool spreads() const { return spread_ > 0.0; }
   /// True when some of it comes from the other side of the surface.
   [[nodiscard]] bool spreads_through() const {
-    return spreads() && facets_ > 0.0 && material_->transmits;
+    return spreads() && facets_ > 0.0 && facts_.transmits;
   }
 
   /// True when there is but one part, or none, to choose.
@@ -65,48 +68,43 @@ public:
   /// The same as `choose` among the reflected and the refracted ray alone.
   [[nodiscard]] Choice choose_specular(double u) const;
 
-  /// Factors on radiance that comes along the reflected and the refracted ray.
-  [[nodiscard]] const float* reflected() const { return factors_.reflected.data(); }
-  [[nodiscard]] const float* transmitted() const { return factors_.transmitted.data(); }
+  /// Factors on what comes along the reflected ray, and along the refracted or the straight one.
+  [[nodiscard]] const float* reflected() const { return reflected_.data(); }
+  [[nodiscard]] const float* transmitted() const { return transmitted_.data(); }
 
   /// The spreading part for light from the unit direction `towards`: fills [first, last) of
-  /// `f_cos` with the scattering function times the cosine. Returns the density per steradian with
-  /// which `sample` chooses the direction, the chance of choosing the part included; 0 where
-  /// nothing is scattered.
+  /// `f_cos` with the BSDF times the cosine. Returns the pdf per steradian with which `sample`
+  /// chooses the direction, the chance of choosing the part included; 0 where nothing is scattered.
   double evaluate(const dvec3& towards, float* f_cos);
 
-  /// A direction from which the spreading part brings light, for four numbers in [0, 1): `u` gives
-  /// the direction, `lobe` the way and the band by which a rough surface sends it. The part has
-  /// been chosen already. Nothing where the direction has no light to bring.
-  [[nodiscard]] std::optional<dvec3> sample(const dvec2& u, const dvec2& lobe) const;
+  /// A direction from which the spreading part brings light, evaluated as `evaluate` does, for four
+  /// numbers in [0, 1): `u` gives the direction, `lobe` the way and the band by which a rough
+  /// surface sends it. The part has been chosen already. Nothing where the direction has no light
+  /// to bring.
+  [[nodiscard]] std::optional<BsdfSample> sample(const dvec2& u, const dvec2& lobe, float* f_cos);
   /// False when `sample` makes no use of `lobe`.
-  [[nodiscard]] bool has_lobes() const { return facets_ > 0.0 || material_->coat >= 0; }
+  [[nodiscard]] bool has_lobes() const { return facets_ > 0.0 || facts_.coats; }
 
 private:
-  void find_smooth_parts(PathWavelengths& wavelengths);
+  [[nodiscard]] ScatterKind through() const {
+    return facts_.passes ? ScatterKind::pass : ScatterKind::refract;
+  }
+  void find_smooth_parts(const Hit& hit, PathWavelengths& wavelengths);
   void find_spreading_parts();
   [[nodiscard]] bool rough() const;
   [[nodiscard]] double brought(const float* factors) const;
-  double evaluate_facets(const dvec3& local, float* f_cos) const;
-  [[nodiscard]] std::optional<dvec3> sample_facets(const dvec2& u, const dvec2& lobe) const;
-  double evaluate_diffuse(const dvec3& local, float* f_cos) const;
-  [[nodiscard]] std::optional<dvec3> sample_diffuse(const dvec2& u, const dvec2& lobe) const;
-  [[nodiscard]] dvec3 sample_phong(const dvec2& u) const;
-  [[nodiscard]] int live_band(double choice) const;
-  [[nodiscard]] double phong_density(const dvec3& local) const;
+  [[nodiscard]] std::optional<dvec3> sample_local(const dvec2& u, const dvec2& lobe) const;
 
   const Plan& plan_;
   Transport transport_;
   const MaterialPlan* material_ = nullptr;
+  BsdfFacts facts_; ///< of its BSDF
   const BandTable* diffuse_ = nullptr;
-  const Hit* hit_ = nullptr;
-  const float* throughput_ = nullptr;
-  SurfaceOptics optics_;
-  int first_ = 0, last_ = 0;
+  Incidence in_;                      ///< its directions are in frame_
   Frame frame_{dvec3(0.0, 0.0, 1.0)}; ///< z: the normal on the side that the ray comes from
-  dvec3 to_eye_{0.0};                 ///< in that frame
-  DielectricScatter factors_;
-  double reflect_ = 0.0, refract_ = 0.0, spread_ = 0.0; ///< chances of the parts
+  std::vector<float> reflected_, transmitted_;
+  /// Chances of the parts; `refract_` is that of a pane's straight ray too.
+  double reflect_ = 0.0, refract_ = 0.0, spread_ = 0.0;
   double facets_ = 0.0;  ///< chance of a rough surface's facets, given spread
   double lambert_ = 1.0; ///< chance of the diffuse part against the highlight, given neither
   std::vector<float> facet_light_; ///< scratch

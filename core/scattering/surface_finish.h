@@ -9,8 +9,8 @@ namespace abbe {
 [[nodiscard]] inline const MaterialPlan& part_of(const Plan& plan, const MaterialPlan& mixture,
                                                  double u) {
   const MaterialPlan* part = &mixture;
-  while (part->mixed()) {
-    const MixturePlan& mix = part->mixture;
+  while (part->mixture) {
+    const MixturePlan& mix = *part->mixture;
     const bool first = u < mix.share;
     // What is left of the number's range is a number in [0, 1) again.
     u = first ? u / mix.share : (u - mix.share) / (1.0 - mix.share);

@@ -40,6 +40,15 @@ struct ThinFilm {
   friend bool operator==(const ThinFilm&, const ThinFilm&) = default;
 };
 
+/// A pane of glass, thin beside all else in the scene. With the material's other parts come what
+/// reflectivity and transparency leave of what it reflects and lets through.
+struct ThinPane {
+  double thickness_mm = 0.0;
+  Dispersion index = ConstantIndex{1.0};
+  Curve absorption_per_mm = Curve::constant(0.0);
+  friend bool operator==(const ThinPane&, const ThinPane&) = default;
+};
+
 /// The finish of a surface, as the thesis has it: a sum of parts, each a curve of factors from 0
 /// to 1 (the part's amount times the material's colour). A part that is 0 everywhere is absent.
 struct Material {
@@ -63,6 +72,7 @@ struct Material {
   bool compensation = true;       ///< of a rough surface: light that meets several facets is kept
   std::optional<ThinFilm> film;   ///< on glass or metal
   std::optional<Dispersion> coat; ///< a clear coat of this index on the diffuse part
+  std::optional<ThinPane> pane;   ///< a flat shape is a pane of glass, which bends no light
 };
 
 } // namespace abbe

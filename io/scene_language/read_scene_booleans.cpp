@@ -83,6 +83,7 @@ MaterialId operand_finish(SceneState& state, const SourcePosition& where) {
   const BooleanScope& scope = *state.boolean;
   const CurrentMaterial& own = state.material;
   check_surface(where, own.finish);
+  check_solid(state.scene, where, own.finish);
   const bool other_filling =
       is_transparent(own.finish) && scope.filling && !same(own.medium, *scope.filling);
   if (other_filling)

@@ -36,7 +36,12 @@ void read_mix(SceneState& state, Arguments& arguments) {
   Mixture mixture;
   mixture.share = arguments.number({"the share of the first material", 0.0, 1.0});
   const bool lets_in = is_transparent(first.finish), other = is_transparent(second.finish);
-  if (lets_in && other && !same(first.medium, second.medium))
+  const bool pane = first.finish.pane.has_value(), other_pane = second.finish.pane.has_value();
+  if (lets_in && other && pane != other_pane)
+    throw ReadError(where, "thinGlass does not mix with glass",
+                    "the one bends no light and the other does",
+                    "Mix it with another thinGlass, or with a material that lets no light in");
+  if (lets_in && other && !pane && !same(first.medium, second.medium))
     throw ReadError(where, "the two materials would fill a solid differently",
                     "both let light in, and a solid has one filling",
                     "Mix materials of the same glass, or one that lets no light in");
@@ -44,8 +49,8 @@ void read_mix(SceneState& state, Arguments& arguments) {
   if (!lets_in && !other) mixed.medium = CurrentMaterial{}.medium;
   mixed.finish.name = fmt::format("{} and {}", first.finish.name, second.finish.name);
   mixed.finish.transparency = Curve::constant(lets_in || other ? 1.0 : 0.0);
-  mixture.first = material_id(state.scene, first.finish);
-  mixture.second = material_id(state.scene, second.finish);
+  mixture.first = material_id(state.scene, filled_pane(where, first));
+  mixture.second = material_id(state.scene, filled_pane(where, second));
   mixed.finish.mixture = mixture;
   state.material = mixed;
 }

@@ -13,11 +13,11 @@ namespace {
 // A member added to the struct does not compile here until it is added to the comparison.
 auto members(const Material& m) {
   const auto& [name, ambient, diffuse, specular, emission, emits_behind, exponent, reflectivity,
-               transparency, fresnel, metal, texture, mixture, roughness, compensation, film,
-               coat] = m;
+               transparency, fresnel, metal, texture, mixture, roughness, compensation, film, coat,
+               pane] = m;
   return std::tie(name, ambient, diffuse, specular, emission, emits_behind, exponent, reflectivity,
                   transparency, fresnel, metal, texture, mixture, roughness, compensation, film,
-                  coat);
+                  coat, pane);
 }
 
 auto members(const Medium& m) {
@@ -44,9 +44,13 @@ ReadError not_positive(const SourcePosition& where, const Medium& medium) {
                  : "Check the numbers of its index, or lower dispersionScale"};
 }
 
-MediumId medium_id(SceneState& state, const SourcePosition& where, const Medium& medium) {
+void check_index(const SourcePosition& where, const Medium& medium) {
   for (double lambda_nm = kLowerNm; lambda_nm <= kUpperNm; lambda_nm += kSampleStepNm)
     if (!(refractive_index(medium.index, lambda_nm) > 0.0)) throw not_positive(where, medium);
+}
+
+MediumId medium_id(SceneState& state, const SourcePosition& where, const Medium& medium) {
+  check_index(where, medium);
   if (medium.drops &&
       !(is_achromatic(medium.index) && refractive_index(medium.index, kLowerNm) == 1.0))
     throw ReadError(where, "drops hang in something with an index other than 1",
@@ -98,11 +102,25 @@ Curve read_emission(SceneState& state, Arguments& arguments) {
   return spectrum.scaled(arguments.number({"a factor on the spectrum"}));
 }
 
+Material filled_pane(const SourcePosition& where, const CurrentMaterial& material) {
+  Material finish = material.finish;
+  if (finish.pane) {
+    check_index(where, material.medium);
+    finish.pane->index = material.medium.index;
+    finish.pane->absorption_per_mm = material.medium.absorption_per_mm;
+  }
+  return finish;
+}
+
 void place_shape(SceneState& state, const SourcePosition& where, Shape shape,
                  const Transform& to_world, const CurrentMaterial& material) {
   check_surface(where, material.finish);
-  PlacedShape placed{
-      std::move(shape), to_world, material_id(state.scene, material.finish), {}, state.priority};
+  if (is_solid(shape)) check_solid(state.scene, where, material.finish);
+  PlacedShape placed{std::move(shape),
+                     to_world,
+                     material_id(state.scene, filled_pane(where, material)),
+                     {},
+                     state.priority};
   if (is_solid(placed.shape) && is_transparent(material.finish))
     placed.medium = medium_id(state, where, material.medium);
   state.scene.shapes.push_back(std::move(placed));

@@ -189,6 +189,13 @@ void warn_of_extrapolation(SceneState& state, const SourcePosition& where, const
 /// glass or metal below it, or a coat on one.
 void check_surface(const SourcePosition& where, const Material& finish);
 
+/// Throws where the finish of a solid is a pane, or one of the materials mixed in it is.
+void check_solid(const Scene& scene, const SourcePosition& where, const Material& finish);
+
+/// The finish of a shape: a pane is of the glass that would fill a solid. Throws where that has no
+/// index.
+[[nodiscard]] Material filled_pane(const SourcePosition& where, const CurrentMaterial& material);
+
 /// Reads what follows the keyword `polyhedron`.
 [[nodiscard]] ConvexPolyhedron read_polyhedron(Arguments& arguments);
 

@@ -4,9 +4,12 @@
 //   glass N-BK7     thinFilm 100 1.38            ! an anti-reflection coating
 //   speedOfLight 1  transparency 1  reflectivity 1  thinFilm 400 water-20C   ! a soap bubble
 //   diffuse 0.7 0.1 0.1  coat 1.5                ! plastic
+//   thinGlass 4 N-BK7    absorption 0.002        ! a window, of which this is all
 
 #include "io/libraries/read_glass.h"
 #include "io/scene_language/read_scene_state.h"
+
+#include <fmt/format.h>
 
 #include <array>
 
@@ -39,16 +42,40 @@ void read_coat(SceneState& state, Arguments& arguments) {
   state.material.finish.coat = read_index(state, arguments);
 }
 
+/// A material of its own, as the keyword `glass` gives.
+void read_thin_glass(SceneState& state, Arguments& arguments) {
+  constexpr Range kThickness{"a thickness in mm", 0.0, 1e6};
+  const double mm = arguments.number(kThickness);
+  if (arguments.number_follows()) {
+    Material clear;
+    clear.reflectivity = clear.transparency = Curve::constant(1.0);
+    state.material = {clear,
+                      {"", ConstantIndex{arguments.number(kIndexRange)}, Curve::constant(0.0)}};
+  } else {
+    const Glass& glass = read_glass(arguments);
+    state.material = clear_glass(state, arguments.keyword().where, glass);
+  }
+  state.material.finish.pane = ThinPane{mm, ConstantIndex{1.0}, Curve::constant(0.0)};
+}
+
 constexpr std::array kKeywords{
     SceneKeyword{"roughness x", read_roughness, true},
     SceneKeyword{"compensation on|off", read_compensation, true},
     SceneKeyword{"thinFilm thickness n|GLASS", read_thin_film, true},
     SceneKeyword{"coat n|GLASS", read_coat, true},
+    SceneKeyword{"thinGlass thickness n|GLASS", read_thin_glass, true},
 };
 
 } // namespace
 
 void check_surface(const SourcePosition& where, const Material& finish) {
+  if (finish.pane && (finish.film || finish.roughness > 0.0 || !finish.fresnel))
+    throw ReadError(where,
+                    fmt::format("{} does not go with thinGlass", finish.film      ? "thinFilm"
+                                                                 : finish.fresnel ? "roughness"
+                                                                                  : "fresnel off"),
+                    "a pane has two smooth and bare faces, which reflect by Fresnel's equations",
+                    "Remove it, or give a solid of glass");
   const bool boundary = finish.metal || is_transparent(finish);
   if (finish.coat && boundary)
     throw ReadError(where, "coat does not go with glass or metal",
@@ -58,6 +85,17 @@ void check_surface(const SourcePosition& where, const Material& finish) {
     throw ReadError(where, "thinFilm lies on neither glass nor metal",
                     "an opaque surface without an index has no light to interfere with",
                     "Give a glass, a metal or a transparency, or coat instead");
+}
+
+void check_solid(const Scene& scene, const SourcePosition& where, const Material& finish) {
+  if (finish.mixture) {
+    check_solid(scene, where, scene.materials[finish.mixture->first.index()]);
+    check_solid(scene, where, scene.materials[finish.mixture->second.index()]);
+  }
+  if (finish.pane)
+    throw ReadError(where, "thinGlass does not go with a solid",
+                    "it is a pane without an inside, for squares, discs, planes and open meshes",
+                    "Give glass instead, or one of those shapes");
 }
 
 std::span<const SceneKeyword> surface_keywords() {

@@ -31,7 +31,7 @@ Flux followed(const std::string& text) {
     const auto ray = emission.lights().at(0).sample(sampler);
     if (!ray) continue;
     const auto hit = world.closest(ray->state);
-    if (hit && plan.materials[hit->material.index()].specular_part())
+    if (hit && plan.materials[hit->material.index()].facts().specular())
       flux.emitted += ray->flux / kPaths;
     paths.trace(*ray, sampler, 1.0 / kPaths, &batch, 1.0 / kPaths, counts);
   }

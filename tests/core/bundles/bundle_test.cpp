@@ -53,6 +53,8 @@ TEST_CASE("a bundle that sets off takes along how far it has come and how far it
   from.divergence = 0.002;
   const dvec3 direction{0.6, 0.0, 0.8};
   Bundle next;
+  next.pdf = next.unseen_length = 9.0; // what was there before is of no use
+  next.traced = true;
   set_off(from, direction, false, RayKind::reflected, next);
   CHECK(next.state.ray.origin == from.hit.point);
   CHECK(next.state.ray.direction == direction);

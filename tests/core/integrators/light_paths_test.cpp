@@ -18,7 +18,7 @@ struct Paths {
   PhotonBatch batch;
 
   explicit Paths(const std::string& text)
-      : s("light E 0 0 50 1 " + text), film({0, 0, 1, 1}, 1.0, 0),
+      : s(text + " light E 0 0 50 1"), film({0, 0, 1, 1}, 1.0, 0),
         paths(s.plan, s.world, emission, nullptr, film) {}
 
   /// A ray of the scene's lamp that carries a flux of 2 as one path of `share`.
@@ -64,15 +64,10 @@ TEST_CASE("light that comes straight from its lamp is left to camera paths") {
 }
 
 TEST_CASE("a light path carries its lamp's bands and no others") {
-  Paths p("lights " ABBE_SOURCE_DIR "/scenes/lights.filter light 2a 0 0 50 1 skip off\n" + kMirror +
-          kWall);
-  EmittedRay ray;
-  ray.state = p.s.bundle_from({-0.5, 0, 0.5}, {1, 0, -1}).state;
-  ray.source = p.s.plan.light_source(1); // filter 2a, dark at both ends
-  ray.flux = 1.0;
-  p.paths.trace(ray, Sampler(0, 0, 0, 7), 1.0, &p.batch, 1.0, p.s.counts);
+  Paths p("lights " ABBE_SOURCE_DIR "/scenes/lights.filter light 2a 0 0 50 1\n" + kMirror + kWall);
+  p.trace({-0.5, 0, 0.5}, {1, 0, -1}); // of filter 2a, which is dark at both ends
   REQUIRE(p.batch.photons.size() == 1);
-  const SourcePlan& source = p.s.plan.sources[static_cast<std::size_t>(ray.source)];
+  const SourcePlan& source = p.s.plan.sources[static_cast<std::size_t>(p.s.plan.light_source(0))];
   const Photon& photon = p.batch.photons[0];
   CHECK(photon.first > 0);
   CHECK(source.factor[photon.first - 1] == 0.0f);

@@ -1,7 +1,7 @@
 // Rough, filmed and coated surfaces under the path tracer.
 
-#include "core/optics/rough_conductor.h"
-#include "core/optics/rough_dielectric.h"
+#include "core/optics/conductor_facets.h"
+#include "core/optics/dielectric_facets.h"
 #include "tests/catch.h"
 #include "tests/render_text.h"
 
@@ -62,8 +62,8 @@ TEST_CASE("a lamp in a rough mirror, against the integral over the lamp") {
       const dvec3 way{1.5 + 2.0 * (i + 0.5) / kSteps, -1.0 + 2.0 * (j + 0.5) / kSteps, 2.0};
       const double distance = glm::length(way);
       float f = 0.0f;
-      (void)evaluate_rough_conductor({Ggx::from_roughness(roughness)}, optics, {0.0, 0.0, 1.0},
-                                     way / distance, {0, 1}, &f);
+      (void)evaluate_conductor_facets({Ggx::from_roughness(roughness)}, optics, {0.0, 0.0, 1.0},
+                                      way / distance, {0, 1}, &f);
       expected += static_cast<double>(f) * (2.0 / distance) / (distance * distance) * 4.0 /
                   (kSteps * kSteps);
     }
@@ -90,8 +90,8 @@ TEST_CASE("a lamp inside rough glass, against the integral over the lamp") {
       const dvec3 way{-0.5 + 2.0 * (i + 0.5) / kSteps, -1.0 + 2.0 * (j + 0.5) / kSteps, -2.0};
       const double distance = glm::length(way);
       float f = 0.0f;
-      (void)evaluate_rough_dielectric({Ggx::from_roughness(roughness)}, optics, {0.0, 0.0, 1.0},
-                                      way / distance, {0, 1}, Transport::radiance, &f);
+      (void)evaluate_dielectric_facets({Ggx::from_roughness(roughness)}, optics, {0.0, 0.0, 1.0},
+                                       way / distance, {0, 1}, Transport::radiance, &f);
       expected += static_cast<double>(f) * (2.0 / distance) / (distance * distance) * 4.0 /
                   (kSteps * kSteps);
     }

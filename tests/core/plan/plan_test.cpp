@@ -128,10 +128,10 @@ TEST_CASE("materials are tabulated at the bands' centres, with what can be left 
                      &glass = plan.materials[2];
   for (int b = 0; b < 81; ++b)
     CHECK(dull.diffuse[b] == static_cast<float>(scene.materials[0].diffuse.at(380.0 + 5.0 * b)));
-  CHECK(dull.specular_exponent == 12.0f);
-  CHECK((dull.lit && !dull.reflects && !dull.transmits && !dull.dielectric));
-  CHECK((mirror.lit && mirror.reflects && !mirror.transmits && !mirror.dielectric));
-  CHECK((!glass.lit && glass.reflects && glass.transmits && glass.dielectric));
+  CHECK(dull.phong.exponent == 12.0f);
+  CHECK((dull.lit() && std::holds_alternative<Diffuse>(dull.bsdf)));
+  CHECK((mirror.lit() && std::holds_alternative<Mirror>(mirror.bsdf)));
+  CHECK((!glass.lit() && std::holds_alternative<Dielectric>(glass.bsdf)));
   CHECK(glass.emission_source < 0);
   CHECK(glass.ambient.zero());
 }

@@ -42,8 +42,10 @@ public:
   [[nodiscard]] double f(int b) const {
     return static_cast<double>(f_[static_cast<std::size_t>(b)]);
   }
-  [[nodiscard]] std::optional<dvec3> sample(const dvec2& u, const dvec2& lobe) const {
-    return scattering_.sample(u, lobe);
+  [[nodiscard]] std::optional<dvec3> sample(const dvec2& u, const dvec2& lobe) {
+    const auto sample = scattering_.sample(u, lobe, f_.data());
+    if (!sample) return std::nullopt;
+    return sample->direction;
   }
 
 private:

@@ -40,6 +40,50 @@ TEST_CASE("a film on an operand is checked with the operand's own finish") {
         "opaque surface). Give defaultMaterials before it, or thinFilm instead");
 }
 
+TEST_CASE("a pane is a material of its own, of the glass that would fill a solid") {
+  const Scene scene = scene_of("roughness 0.3 thinGlass 4 N-BK7 absorption 0.002 square "
+                               "thinGlass 2.5 1.6 reflectivity 0.5 disc plane "
+                               "glass N-BK7 square");
+  REQUIRE(scene.materials.size() == 3);
+  const Material& window = scene.materials[0];
+  REQUIRE(window.pane.has_value());
+  CHECK(window.pane->thickness_mm == 4.0);
+  CHECK(window.pane->index == find_glass("N-BK7")->dispersion);
+  CHECK(window.pane->absorption_per_mm.constant_value() == 0.002);
+  CHECK(window.roughness == 0.0);
+  CHECK(window.reflectivity.constant_value() == 1.0);
+  CHECK(window.diffuse.constant_value() == 0.0);
+  const Material& number = scene.materials[1];
+  CHECK(number.pane == ThinPane{2.5, ConstantIndex{1.6}, Curve::constant(0.0)});
+  CHECK(number.reflectivity.constant_value() == 0.5);
+  CHECK_FALSE(scene.materials[2].pane.has_value());
+  CHECK(scene.media.empty());
+}
+
+TEST_CASE("panes are no solids, and have bare and smooth faces") {
+  const std::string solid = "thinGlass does not go with a solid (it is a pane without an inside, "
+                            "for squares, discs, planes and open meshes). Give glass instead, or "
+                            "one of those shapes";
+  CHECK(scene_error("thinGlass 4 N-BK7\ncube") == "s.sdl:2:1: " + solid);
+  CHECK(scene_error("union sphere thinGlass 4 1.5 sphere") == "s.sdl:1:30: " + solid);
+  CHECK(scene_error("thinGlass 4 1.5 defMaterial pane\ndefaultMaterials defMaterial dust\n"
+                    "mix pane dust 0.9 square\nsphere") == "s.sdl:4:1: " + solid);
+  for (const std::string other : {"roughness 0.2", "thinFilm 100 1.3", "fresnel off"})
+    CHECK(scene_error("thinGlass 4 1.5 " + other + "\nsquare") ==
+          "s.sdl:2:1: " + other.substr(0, other.find_first_of(" 0")) +
+              (other == "fresnel off" ? " off" : "") +
+              " does not go with thinGlass (a pane has two smooth and bare faces, which reflect by "
+              "Fresnel's equations). Remove it, or give a solid of glass");
+  CHECK(scene_error("thinGlass 4 1.5 defMaterial pane glass N-BK7 defMaterial glass\n"
+                    "mix pane glass 0.5") ==
+        "s.sdl:2:1: thinGlass does not mix with glass (the one bends no light and the other does). "
+        "Mix it with another thinGlass, or with a material that lets no light in");
+  CHECK(scene_error("thinGlass -1 1.5") ==
+        "s.sdl:1:11: -1 is out of range for thinGlass (it is a thickness in mm). Give a number "
+        "from 0 to 1000000");
+  CHECK(scene_error("thinGlass 4 Perspex").find("s.sdl:1:13: unknown glass \"Perspex\"") == 0);
+}
+
 TEST_CASE("errors of surfaces") {
   for (const std::string x : {"-0.1", "1.5"})
     CHECK(scene_error("roughness " + x) ==

@@ -1,4 +1,4 @@
-#include "core/optics/coated_diffuse.h"
+#include "core/optics/coated_ground.h"
 
 #include "core/optics/diffuse_fresnel.h"
 #include "core/optics/fresnel.h"
@@ -26,22 +26,22 @@ struct Scatter {
   double f[2], density;
 };
 
-Scatter evaluate(const CoatedDiffuse& surface, const SurfaceOptics& optics, const dvec3& wo,
+Scatter evaluate(const CoatedGround& surface, const SurfaceOptics& optics, const dvec3& wo,
                  const dvec3& wi) {
   float f[2] = {};
   Scatter s{};
-  s.density = evaluate_coated_diffuse(surface, optics, wo, wi, {0, 2}, f);
+  s.density = evaluate_coated_ground(surface, optics, wo, wi, {0, 2}, f);
   std::copy(f, f + 2, s.f);
   return s;
 }
 
-double furnace(const CoatedDiffuse& surface, const SurfaceOptics& optics, const dvec3& wo,
+double furnace(const CoatedGround& surface, const SurfaceOptics& optics, const dvec3& wo,
                int band) {
   return test::sampled_albedo(
       16000,
       [&](const dvec2& u, double choice) {
         const int b = choice < 0.5 ? 0 : 1;
-        return sample_coated_diffuse(surface, optics, wo, b, u, 2.0 * choice - b);
+        return sample_coated_ground(surface, optics, wo, b, u, 2.0 * choice - b);
       },
       [&](const dvec3& wi) {
         if (!surface.rough && wi.x == -wo.x && wi.y == -wo.y) return 0.0; // the mirror direction
@@ -71,7 +71,7 @@ TEST_CASE("white plastic loses no light") {
       const dvec3 wo = direction(cos_o, 0.3);
       for (int b = 0; b < 2; ++b) {
         INFO(n << ' ' << cos_o << ' ' << b);
-        const CoatedDiffuse smooth{plastic.ground, {}, nullptr};
+        const CoatedGround smooth{plastic.ground, {}, nullptr};
         CHECK(furnace(smooth, optics, wo, b) + coat_reflectance(optics, cos_o, b) ==
               Approx(1.0).margin(0.005));
       }
@@ -84,7 +84,7 @@ TEST_CASE("white plastic loses no light") {
       const Plastic plastic(n, 1.0f, 1.0f);
       for (const double cos_o : {1.0, 0.6, 0.2, 0.05}) {
         INFO(roughness << ' ' << n << ' ' << cos_o);
-        const CoatedDiffuse rough{plastic.ground, ggx, &albedo};
+        const CoatedGround rough{plastic.ground, ggx, &albedo};
         CHECK(furnace(rough, plastic.optics(), direction(cos_o, 0.3), 0) ==
               Approx(1.0).margin(0.005));
       }
@@ -95,7 +95,7 @@ TEST_CASE("white plastic loses no light") {
 TEST_CASE("light between ground and coat, as a sum over its passes") {
   const Plastic plastic(1.5, 0.6f, 0.3f);
   const SurfaceOptics optics = plastic.optics();
-  const CoatedDiffuse smooth{plastic.ground, {}, nullptr};
+  const CoatedGround smooth{plastic.ground, {}, nullptr};
   const dvec3 wo = direction(0.7, 0.0), wi = direction(0.4, 2.0);
   for (int b = 0; b < 2; ++b) {
     const double eta = plastic.coat[b], rho = static_cast<double>(plastic.ground[b]);
@@ -116,8 +116,8 @@ TEST_CASE("coated surfaces are reciprocal and return nothing from below") {
   const Ggx ggx = Ggx::from_roughness(0.6);
   const DielectricAlbedo albedo(ggx, 2.0);
   const dvec3 wo = direction(0.8, 0.0), wi = direction(0.15, 2.0);
-  for (const CoatedDiffuse& surface :
-       {CoatedDiffuse{plastic.ground, {}, nullptr}, CoatedDiffuse{plastic.ground, ggx, &albedo}}) {
+  for (const CoatedGround& surface :
+       {CoatedGround{plastic.ground, {}, nullptr}, CoatedGround{plastic.ground, ggx, &albedo}}) {
     for (int b = 0; b < 2; ++b)
       CHECK(evaluate(surface, optics, wo, wi).f[b] / wi.z ==
             Approx(evaluate(surface, optics, wi, wo).f[b] / wo.z).epsilon(1e-6));
@@ -132,13 +132,13 @@ TEST_CASE("coated surfaces are sampled with the density they tell") {
   for (const double roughness : {0.5, 0.8}) {
     const Ggx ggx = Ggx::from_roughness(roughness);
     const DielectricAlbedo albedo(ggx, 2.0);
-    const CoatedDiffuse surface{plastic.ground, ggx, &albedo};
+    const CoatedGround surface{plastic.ground, ggx, &albedo};
     for (const double cos_o : {0.9, 0.2}) {
       const dvec3 wo = direction(cos_o, 0.5);
       CHECK(test::deviation_from_density(
                 [&](const dvec2& u, double choice) {
                   const int b = choice < 0.5 ? 0 : 1;
-                  return sample_coated_diffuse(surface, optics, wo, b, u, 2.0 * choice - b);
+                  return sample_coated_ground(surface, optics, wo, b, u, 2.0 * choice - b);
                 },
                 [&](const dvec3& wi) { return evaluate(surface, optics, wo, wi).density; }) < 4.0);
     }

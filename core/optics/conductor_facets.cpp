@@ -1,4 +1,4 @@
-#include "core/optics/rough_conductor.h"
+#include "core/optics/conductor_facets.h"
 
 #include <glm/geometric.hpp>
 
@@ -24,9 +24,9 @@ double after_several(double reflectance, double mean_albedo) {
 
 } // namespace
 
-double evaluate_rough_conductor(const RoughConductor& surface, const SurfaceOptics& optics,
-                                const dvec3& wo, const dvec3& wi, const BandSet& bands,
-                                float* f_cos) {
+double evaluate_conductor_facets(const ConductorFacets& surface, const SurfaceOptics& optics,
+                                 const dvec3& wo, const dvec3& wi, const BandSet& bands,
+                                 float* f_cos) {
   for (int b = bands.first; b < bands.last; ++b)
     f_cos[b] = 0.0f;
   if (!(wi.z > 0.0)) return 0.0;
@@ -56,8 +56,8 @@ double evaluate_rough_conductor(const RoughConductor& surface, const SurfaceOpti
   return density;
 }
 
-std::optional<dvec3> sample_rough_conductor(const RoughConductor& surface, const dvec3& wo,
-                                            const dvec2& u, double choice) {
+std::optional<dvec3> sample_conductor_facets(const ConductorFacets& surface, const dvec3& wo,
+                                             const dvec2& u, double choice) {
   if (surface.compensation && choice >= surface.compensation->at(wo.z))
     return sample_cosine_hemisphere(u);
   const dvec3 h = surface.ggx.sample_visible_normal(wo, u);

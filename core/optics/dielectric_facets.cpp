@@ -1,4 +1,4 @@
-#include "core/optics/rough_dielectric.h"
+#include "core/optics/dielectric_facets.h"
 
 #include "core/optics/diffuse_fresnel.h"
 #include "core/optics/fresnel.h"
@@ -49,7 +49,7 @@ struct Several {
 /// What does not depend on the band.
 class Evaluation {
 public:
-  Evaluation(const RoughDielectric& surface, const SurfaceOptics& optics, const dvec3& wo,
+  Evaluation(const DielectricFacets& surface, const SurfaceOptics& optics, const dvec3& wo,
              const dvec3& wi)
       : surface_(surface), optics_(optics), wo_(wo), wi_(wi),
         seen_(surface.ggx.g2(wo, wi) / surface.ggx.g1(wo)), place_o_(CosineTable::place(wo.z)),
@@ -106,7 +106,7 @@ private:
                          (reflects() ? several.shares.reflected : several.shares.transmitted);
   }
 
-  const RoughDielectric& surface_;
+  const DielectricFacets& surface_;
   const SurfaceOptics& optics_;
   dvec3 wo_, wi_;
   double seen_; ///< G2 / G1(wo)
@@ -124,9 +124,9 @@ double chance(const Fractions& f, const SurfaceOptics& optics, int b, bool refle
 
 } // namespace
 
-double evaluate_rough_dielectric(const RoughDielectric& surface, const SurfaceOptics& optics,
-                                 const dvec3& wo, const dvec3& wi, const BandSet& bands,
-                                 Transport transport, float* f_cos) {
+double evaluate_dielectric_facets(const DielectricFacets& surface, const SurfaceOptics& optics,
+                                  const dvec3& wo, const dvec3& wi, const BandSet& bands,
+                                  Transport transport, float* f_cos) {
   for (int b = bands.first; b < bands.last; ++b)
     f_cos[b] = 0.0f;
   if (wi.z == 0.0) return 0.0;
@@ -155,9 +155,9 @@ double evaluate_rough_dielectric(const RoughDielectric& surface, const SurfaceOp
   return count > 0 ? density / count : 0.0;
 }
 
-std::optional<dvec3> sample_rough_dielectric(const RoughDielectric& surface,
-                                             const SurfaceOptics& optics, const dvec3& wo, int b,
-                                             const dvec2& u, double choice) {
+std::optional<dvec3> sample_dielectric_facets(const DielectricFacets& surface,
+                                              const SurfaceOptics& optics, const dvec3& wo, int b,
+                                              const dvec2& u, double choice) {
   const double eta = optics.n_after[b] / optics.n_before[b];
   if (surface.compensation) {
     const Several several(*surface.compensation, eta);

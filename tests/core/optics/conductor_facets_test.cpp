@@ -1,4 +1,4 @@
-#include "core/optics/rough_conductor.h"
+#include "core/optics/conductor_facets.h"
 
 #include "core/optics/conductor_reflectance.h"
 #include "tests/catch.h"
@@ -26,19 +26,21 @@ struct Metal {
   }
 };
 
-double evaluate(const RoughConductor& surface, const SurfaceOptics& optics, const dvec3& wo,
+double evaluate(const ConductorFacets& surface, const SurfaceOptics& optics, const dvec3& wo,
                 const dvec3& wi, double* density = nullptr) {
   float f[2];
-  const double p = evaluate_rough_conductor(surface, optics, wo, wi, {0, 2}, f);
+  const double p = evaluate_conductor_facets(surface, optics, wo, wi, {0, 2}, f);
   if (density) *density = p;
   return static_cast<double>(f[0]);
 }
 
-double furnace(const RoughConductor& surface, const SurfaceOptics& optics, double cos_o) {
+double furnace(const ConductorFacets& surface, const SurfaceOptics& optics, double cos_o) {
   const dvec3 wo = direction(cos_o, 0.3);
   return test::sampled_albedo(
       8000,
-      [&](const dvec2& u, double choice) { return sample_rough_conductor(surface, wo, u, choice); },
+      [&](const dvec2& u, double choice) {
+        return sample_conductor_facets(surface, wo, u, choice);
+      },
       [&](const dvec3& wi) {
         double density = 0.0;
         const double f = evaluate(surface, optics, wo, wi, &density);
@@ -68,7 +70,7 @@ TEST_CASE("the albedo of a rough mirror by a sum over directions is 1 too") {
   const GgxAlbedo albedo(ggx);
   for (const double cos_o : {1.0, 0.5, 0.2}) {
     const dvec3 wo = direction(cos_o, 0.0);
-    const RoughConductor surface{ggx, &albedo};
+    const ConductorFacets surface{ggx, &albedo};
     CHECK(test::sphere_integral(
               [&](const dvec3& wi) { return evaluate(surface, metal.optics(false), wo, wi); }, 0.0,
               1.0, 500) == Approx(1.0).margin(0.005));
@@ -102,7 +104,7 @@ TEST_CASE("rough metal is reciprocal") {
     for (const double o : {0.99, 0.4, 0.07})
       for (const double i : {0.9, 0.3}) {
         const dvec3 wo = direction(o, 0.2), wi = direction(i, 1.7);
-        const RoughConductor surface{ggx, compensation};
+        const ConductorFacets surface{ggx, compensation};
         CHECK(evaluate(surface, metal.optics(), wo, wi) / i ==
               Approx(evaluate(surface, metal.optics(), wi, wo) / o).epsilon(1e-6));
       }
@@ -116,11 +118,11 @@ TEST_CASE("rough metal is sampled with the density it tells") {
     for (const GgxAlbedo* compensation : {static_cast<const GgxAlbedo*>(nullptr), &albedo})
       for (const double cos_o : {0.95, 0.3}) {
         INFO(roughness << ' ' << cos_o << ' ' << (compensation != nullptr));
-        const RoughConductor surface{ggx, compensation};
+        const ConductorFacets surface{ggx, compensation};
         const dvec3 wo = direction(cos_o, 0.5);
         CHECK(test::deviation_from_density(
                   [&](const dvec2& u, double choice) {
-                    return sample_rough_conductor(surface, wo, u, choice);
+                    return sample_conductor_facets(surface, wo, u, choice);
                   },
                   [&](const dvec3& wi) {
                     double density = 0.0;
@@ -148,8 +150,8 @@ TEST_CASE("what coloured metal returns after several facets is darker and more s
   const GgxAlbedo albedo(ggx);
   const dvec3 wo = direction(0.7, 0.0), wi = direction(0.5, 2.0);
   float one[2], all[2];
-  (void)evaluate_rough_conductor({ggx}, metal.optics(), wo, wi, {0, 2}, one);
-  (void)evaluate_rough_conductor({ggx, &albedo}, metal.optics(), wo, wi, {0, 2}, all);
+  (void)evaluate_conductor_facets({ggx}, metal.optics(), wo, wi, {0, 2}, one);
+  (void)evaluate_conductor_facets({ggx, &albedo}, metal.optics(), wo, wi, {0, 2}, all);
   CHECK(all[0] > one[0]);
   CHECK((all[0] - one[0]) / (all[1] - one[1]) < one[0] / one[1]);
 }
@@ -179,13 +181,13 @@ TEST_CASE("rough metal: bands, dead bands, reflectivity, the wrong side") {
   SurfaceOptics optics = metal.optics();
   const dvec3 wo = direction(0.7, 0.0), wi = direction(0.5, 2.0);
   float f[2] = {7.0f, 7.0f}, half[2], live[] = {0.0f, 1.0f};
-  const double density = evaluate_rough_conductor({Ggx{0.4}}, optics, wo, wi, {0, 2}, f);
+  const double density = evaluate_conductor_facets({Ggx{0.4}}, optics, wo, wi, {0, 2}, f);
   CHECK(f[0] < f[1]);
   const float reflectivity[] = {0.5f, 0.25f};
   optics.reflectivity = reflectivity;
-  CHECK(evaluate_rough_conductor({Ggx{0.4}}, optics, wo, wi, {0, 2, live}, half) == density);
+  CHECK(evaluate_conductor_facets({Ggx{0.4}}, optics, wo, wi, {0, 2, live}, half) == density);
   CHECK(half[0] == 0.0f);
   CHECK(half[1] == Approx(0.25 * static_cast<double>(f[1])));
-  CHECK(evaluate_rough_conductor({Ggx{0.4}}, optics, wo, -wi, {0, 2}, f) == 0.0);
+  CHECK(evaluate_conductor_facets({Ggx{0.4}}, optics, wo, -wi, {0, 2}, f) == 0.0);
   CHECK(f[0] == 0.0f);
 }

@@ -1,4 +1,4 @@
-#include "core/optics/coated_diffuse.h"
+#include "core/optics/coated_ground.h"
 
 #include "core/optics/diffuse_fresnel.h"
 
@@ -15,12 +15,12 @@ double ratio(const SurfaceOptics& optics, int b) {
 }
 
 /// The part of the light from a direction that the coat returns at once.
-double returned(const CoatedDiffuse& surface, const SurfaceOptics& optics, double mu, int b) {
+double returned(const CoatedGround& surface, const SurfaceOptics& optics, double mu, int b) {
   if (!surface.rough) return optics.fractions(b, mu).reflected;
   return surface.albedo->reflected(surface.albedo->place(ratio(optics, b)), CosineTable::place(mu));
 }
 
-double mean_let_in(const CoatedDiffuse& surface, double eta) {
+double mean_let_in(const CoatedGround& surface, double eta) {
   if (!surface.rough) return diffuse_transmittance(eta);
   return 1.0 - surface.albedo->mean_reflected(surface.albedo->place(eta));
 }
@@ -41,13 +41,13 @@ double coat_reflectance(const SurfaceOptics& optics, double mu, int b) {
   return optics.fractions(b, mu).reflected * optics.reflection_scale(b);
 }
 
-double coat_chance(const CoatedDiffuse& surface, const SurfaceOptics& optics, double mu, int b) {
+double coat_chance(const CoatedGround& surface, const SurfaceOptics& optics, double mu, int b) {
   return chance(returned(surface, optics, mu, b), surface.ground[b]);
 }
 
-double evaluate_coated_diffuse(const CoatedDiffuse& surface, const SurfaceOptics& optics,
-                               const dvec3& wo, const dvec3& wi, const BandSet& bands,
-                               float* f_cos) {
+double evaluate_coated_ground(const CoatedGround& surface, const SurfaceOptics& optics,
+                              const dvec3& wo, const dvec3& wi, const BandSet& bands,
+                              float* f_cos) {
   for (int b = bands.first; b < bands.last; ++b)
     f_cos[b] = 0.0f;
   if (!(wi.z > 0.0)) return 0.0;
@@ -85,9 +85,8 @@ double evaluate_coated_diffuse(const CoatedDiffuse& surface, const SurfaceOptics
   return count > 0 ? density / count : 0.0;
 }
 
-std::optional<dvec3> sample_coated_diffuse(const CoatedDiffuse& surface,
-                                           const SurfaceOptics& optics, const dvec3& wo, int b,
-                                           const dvec2& u, double choice) {
+std::optional<dvec3> sample_coated_ground(const CoatedGround& surface, const SurfaceOptics& optics,
+                                          const dvec3& wo, int b, const dvec2& u, double choice) {
   if (choice >= coat_chance(surface, optics, wo.z, b)) return sample_cosine_hemisphere(u);
   if (!surface.rough) return dvec3{-wo.x, -wo.y, wo.z};
   const dvec3 h = surface.rough->sample_visible_normal(wo, u);

@@ -1,4 +1,4 @@
-#include "core/optics/rough_dielectric.h"
+#include "core/optics/dielectric_facets.h"
 
 #include "core/optics/fresnel.h"
 #include "tests/catch.h"
@@ -34,26 +34,26 @@ struct Scatter {
   double f[kBands], density;
 };
 
-Scatter evaluate(const RoughDielectric& surface, const SurfaceOptics& optics, const dvec3& wo,
+Scatter evaluate(const DielectricFacets& surface, const SurfaceOptics& optics, const dvec3& wo,
                  const dvec3& wi, Transport transport = Transport::radiance,
                  BandSet bands = {0, kBands}) {
   float f[kBands] = {};
   Scatter s{};
-  s.density = evaluate_rough_dielectric(surface, optics, wo, wi, bands, transport, f);
+  s.density = evaluate_dielectric_facets(surface, optics, wo, wi, bands, transport, f);
   std::copy(f, f + kBands, s.f);
   return s;
 }
 
 /// A band is drawn by the same number as the lobe.
-std::optional<dvec3> sample(const RoughDielectric& surface, const SurfaceOptics& optics,
+std::optional<dvec3> sample(const DielectricFacets& surface, const SurfaceOptics& optics,
                             const dvec3& wo, const dvec2& u, double choice) {
   const int band = static_cast<int>(choice * kBands);
-  return sample_rough_dielectric(surface, optics, wo, band, u, choice * kBands - band);
+  return sample_dielectric_facets(surface, optics, wo, band, u, choice * kBands - band);
 }
 
 /// Reflected and transmitted flux of band 0. Radiance is counted with the n^2 of the side it comes
 /// from, as in a furnace of one temperature.
-double furnace(const RoughDielectric& surface, const SurfaceOptics& optics, double cos_o,
+double furnace(const DielectricFacets& surface, const SurfaceOptics& optics, double cos_o,
                Transport transport, int count = 16000) {
   const dvec3 wo = direction(cos_o, 0.3);
   const double eta = optics.n_after[0] / optics.n_before[0];
@@ -93,7 +93,7 @@ TEST_CASE("compensated glass by a sum over directions") {
     const Glass glass(from_inside ? 1.5 : 1.0, from_inside ? 1.0 : 1.5);
     for (const double cos_o : {0.95, 0.4}) {
       const dvec3 wo = direction(cos_o, 0.0);
-      const RoughDielectric surface{ggx, &albedo};
+      const DielectricFacets surface{ggx, &albedo};
       const SurfaceOptics optics = glass.optics();
       CHECK(test::sphere_integral(
                 [&](const dvec3& wi) {
@@ -117,7 +117,7 @@ TEST_CASE("rough glass is reciprocal with the squares of the indices") {
           for (const double i : {0.9, 0.3, -0.2, -0.6, -0.98}) {
             INFO(n_o << ' ' << n_i << ' ' << o << ' ' << i << ' ' << (compensation != nullptr));
             const dvec3 wo = direction(o, 0.2), wi = direction(i, 3.0);
-            const RoughDielectric surface{ggx, compensation};
+            const DielectricFacets surface{ggx, compensation};
             const Glass there(n_o, n_i), back(n_i, n_o);
             if (n_o == n_i) continue;
             if (i > 0.0) {
@@ -145,7 +145,7 @@ TEST_CASE("rough glass is the formula of its facets") {
   const double alpha = 0.3, n = 1.5;
   const auto tan2 = [](const dvec3& w) { return (1.0 - w.z * w.z) / (w.z * w.z); };
   const Glass glass(1.0, n);
-  const RoughDielectric surface{Ggx{alpha}};
+  const DielectricFacets surface{Ggx{alpha}};
   for (const double cos_o : {0.95, 0.5})
     for (const double cos_i : {-0.98, -0.95, -0.85, -0.6}) {
       const dvec3 wo = direction(cos_o, 0.0), wi = direction(cos_i, 2.9);
@@ -180,7 +180,7 @@ TEST_CASE("rough glass is sampled with the density it tells, dispersive glass to
                            << (compensation != nullptr));
             const Glass glass(from_inside ? 1.5 : 1.0, from_inside ? 1.0 : 1.5, step);
             const SurfaceOptics optics = glass.optics();
-            const RoughDielectric surface{ggx, compensation};
+            const DielectricFacets surface{ggx, compensation};
             const dvec3 wo = direction(cos_o, 0.5);
             CHECK(test::deviation_from_density(
                       [&](const dvec2& u, double choice) {
@@ -201,7 +201,7 @@ TEST_CASE("polished glass reflects and transmits as a smooth one") {
        {static_cast<const DielectricAlbedo*>(nullptr), &albedo})
     for (const double cos_o : {1.0, 0.6, 0.2}) {
       const dvec3 wo = direction(cos_o, 0.0);
-      const RoughDielectric surface{ggx, compensation};
+      const DielectricFacets surface{ggx, compensation};
       double sides[2] = {0.0, 0.0};
       for (const bool above : {false, true})
         sides[above] = test::sampled_albedo(
@@ -223,7 +223,7 @@ TEST_CASE("each band of a dispersive rough surface conserves energy with the sha
   const DielectricAlbedo albedo(ggx, 2.5);
   const Glass glass(1.0, 1.4, 0.2);
   const SurfaceOptics optics = glass.optics();
-  const RoughDielectric surface{ggx, &albedo};
+  const DielectricFacets surface{ggx, &albedo};
   const dvec3 wo = direction(0.7, 0.0);
   for (int b = 0; b < kBands; ++b)
     CHECK(test::sampled_albedo(
@@ -238,7 +238,7 @@ TEST_CASE("each band of a dispersive rough surface conserves energy with the sha
 TEST_CASE("rough glass: dead bands, the finish's factors, grazing and like media") {
   const Glass glass(1.0, 1.4, 0.2), same(1.5, 1.5);
   SurfaceOptics optics = glass.optics();
-  const RoughDielectric surface{Ggx{0.4}};
+  const DielectricFacets surface{Ggx{0.4}};
   const dvec3 wo = direction(0.7, 0.0), up = direction(0.6, 2.9), down = direction(-0.9, 2.9);
   const Scatter all = evaluate(surface, optics, wo, down);
   const float live[] = {1.0f, 0.0f, 1.0f};

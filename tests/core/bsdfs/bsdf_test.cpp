@@ -1,0 +1,99 @@
+// What holds for every type of the set.
+
+#include "core/bsdfs/bsdf.h"
+#include "core/planning/make_plan.h"
+#include "core/scattering/surface_incidence.h"
+#include "tests/catch.h"
+#include "tests/render_text.h"
+
+#include <cmath>
+
+using namespace abbe;
+
+namespace {
+
+/// A surface of a scene's first material between air and the scene's first medium, if it has one.
+struct Surface {
+  Plan plan;
+  PathWavelengths wavelengths;
+  Hit hit;
+  std::vector<float> ones, reflected, transmitted, f_cos;
+  Incidence in;
+
+  explicit Surface(const std::string& text)
+      : plan(planned(text)), wavelengths(plan), ones(plan.stride, 1.0f), reflected(plan.stride),
+        transmitted(plan.stride), f_cos(plan.stride) {
+    wavelengths.begin_path(0.5);
+    if (!plan.media.empty()) hit.medium_after = MediumId{0};
+    in = surface_incidence(bsdf(), hit, {0, plan.grid.count()}, wavelengths);
+    in.live = in.ground = ones.data();
+    in.transport = Transport::flux;
+  }
+  [[nodiscard]] const Bsdf& bsdf() const { return plan.materials.at(0).bsdf; }
+
+private:
+  static Plan planned(const std::string& text) {
+    const Scene scene = test::scene_from("integrator path background E 1 bands 5 " + text);
+    return make_plan(scene, scene.settings);
+  }
+};
+
+const std::vector<std::string> kOneOfEach = {"cube",
+                                             "diffuse 1 1 1 coat 1.5 cube",
+                                             "reflectivity 0.7 cube",
+                                             "metal Au cube",
+                                             "glass SF11 cube",
+                                             "metal Au roughness 0.5 cube",
+                                             "glass SF11 roughness 0.5 cube",
+                                             "thinGlass 3 SF11 square"};
+
+} // namespace
+
+TEST_CASE("there is a scene for each BSDF of the set") {
+  CHECK(kOneOfEach.size() == std::variant_size_v<Bsdf>);
+  std::size_t index = 0;
+  for (const std::string& text : kOneOfEach)
+    CHECK(Surface(text).bsdf().index() == index++);
+}
+
+TEST_CASE("no BSDF sends more light along single rays than it gets") {
+  for (const std::string& text : kOneOfEach)
+    for (const double cosine : {1.0, 0.6, 0.2, 0.01}) {
+      CAPTURE(text, cosine);
+      Surface s(text);
+      s.in.wo = {std::sqrt(1.0 - cosine * cosine), 0.0, cosine};
+      specular_factors(s.bsdf(), s.in, {s.reflected.data(), s.transmitted.data()});
+      for (const float light : s.reflected)
+        CHECK(light >= 0.0f);
+      for (std::size_t b = 0; b < 5; ++b)
+        CHECK(s.reflected[b] + s.transmitted[b] <= 1.0f + 1e-6f);
+    }
+}
+
+TEST_CASE("straight rays go through what transmits or lets pass, and nothing else") {
+  for (const std::string& text : kOneOfEach) {
+    CAPTURE(text);
+    Surface s(text);
+    std::vector<float> light(s.plan.stride, 1.0f);
+    pass_straight(s.bsdf(), s.in, light.data());
+    const BsdfFacts facts = facts_of(s.bsdf());
+    for (std::size_t b = 0; b < 5; ++b)
+      CHECK((light[b] > 0.0f) == (facts.transmits || facts.passes));
+  }
+}
+
+TEST_CASE("a BSDF of single rays alone scatters nothing, and samples nothing") {
+  for (const std::string& text : kOneOfEach) {
+    CAPTURE(text);
+    Surface s(text);
+    s.in.wo = {0.6, 0.0, 0.8};
+    std::fill(s.f_cos.begin(), s.f_cos.end(), 7.0f);
+    const double pdf = evaluate(s.bsdf(), s.in, {-0.6, 0.0, 0.8}, s.f_cos.data());
+    const BsdfFacts facts = facts_of(s.bsdf());
+    const bool scatters = facts.rough || facts.coats || !facts.goes_on();
+    CHECK((pdf > 0.0) == scatters);
+    CHECK(sample(s.bsdf(), s.in, {0.3, 0.4}, {0.2, 0.5}).has_value() == scatters);
+    for (std::size_t b = 0; b < 5; ++b)
+      CHECK((s.f_cos[b] > 0.0f) == scatters);
+  }
+}
