@@ -17,6 +17,7 @@ struct Medium {
   Dispersion index = ConstantIndex{1.0};
   Curve absorption_per_mm = Curve::constant(0.0); ///< Beer-Lambert: exp(-absorption * length)
   std::optional<Drops> drops{};                   ///< that hang in it; its index is then 1
+  friend bool operator==(const Medium&, const Medium&) = default;
 };
 
 /// A metal's complex refractive index n - i k.
@@ -63,6 +64,7 @@ struct Material {
   bool compensation = true;       ///< of a rough surface: light that meets several facets is kept
   std::optional<ThinFilm> film;   ///< on glass or metal
   std::optional<Dispersion> coat; ///< a clear coat of this index on the diffuse part
+  friend bool operator==(const Material&, const Material&) = default;
 };
 
 } // namespace abbe

@@ -37,13 +37,8 @@ double radians(double angle_deg) {
 
 void add_light(SceneState& state, std::string name, const Curve& spectrum,
                decltype(Light::emitter) emitter) {
-  // Parallel light has no distance to fall off with.
-  const Falloff falloff =
-      std::holds_alternative<DirectionalLight>(emitter) || std::holds_alternative<SunLight>(emitter)
-          ? Falloff::none
-          : state.light.falloff;
-  state.scene.lights.push_back(
-      {std::move(name), spectrum.scaled(state.light.intensity), falloff, emitter});
+  state.builder.add_light(
+      {std::move(name), spectrum.scaled(state.light.intensity), state.light.falloff, emitter});
 }
 
 /// A direction of the file, not 0 0 0, in the world and of unit length.

@@ -48,18 +48,6 @@ constexpr std::array kKeywords{
 
 } // namespace
 
-void check_surface(const SourcePosition& where, const Material& finish) {
-  const bool boundary = finish.metal || is_transparent(finish);
-  if (finish.coat && boundary)
-    throw ReadError(where, "coat does not go with glass or metal",
-                    "it lies on the diffuse part of an opaque surface",
-                    "Give defaultMaterials before it, or thinFilm instead");
-  if (finish.film && !boundary)
-    throw ReadError(where, "thinFilm lies on neither glass nor metal",
-                    "an opaque surface without an index has no light to interfere with",
-                    "Give a glass, a metal or a transparency, or coat instead");
-}
-
 std::span<const SceneKeyword> surface_keywords() {
   return kKeywords;
 }
