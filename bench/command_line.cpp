@@ -1,8 +1,13 @@
 #include "bench/command_line.h"
 
+#include "core/scene/user_error.h"
+#include "io/settings/setting_text.h"
+
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 namespace abbe::bench {
@@ -15,24 +20,41 @@ constexpr int kUsualSamples = 4;
 
 /// What is read as words and checked behind the parser.
 struct Words {
-  std::vector<int> size, crop;
   std::vector<std::string> axes;
   bool all = false, quick = false;
 };
 
+/// An option of the settings, with the values that it has in `abbe render`. What is set is handed
+/// to `take` as settings of which only this one counts.
+CLI::Option* add_setting(CLI::App& app, const std::string& option, const std::string& help,
+                         const std::function<void(const RenderSettings&)>& take) {
+  return app
+      .add_option_function<std::string>(
+          option,
+          [option, take](const std::string& text) {
+            RenderSettings settings;
+            try {
+              set_from_text(setting_of_option(option), text, settings);
+            } catch (const UserError& error) {
+              throw CLI::ValidationError(option, error.what());
+            }
+            take(settings);
+          },
+          help)
+      ->type_name("N");
+}
+
 void add_common(CLI::App& app, Options& options, Words& words) {
   RenderOptions& render = options.render;
-  app.add_option("--size", words.size, "Image size in pixels")
-      ->delimiter('x')
-      ->expected(2)
-      ->check(CLI::Range(1, 65536))
-      ->type_name("WxH");
-  app.add_option("--crop", words.crop, "Render only this part of the image")
-      ->delimiter(',')
-      ->expected(4)
-      ->type_name("x0,y0,x1,y1");
-  app.add_option("--threads", render.threads, "Threads (default: one per processor)")
-      ->check(CLI::Range(1, 4096));
+  add_setting(app, "--size", "Image size in pixels", [&](const RenderSettings& s) {
+    render.width = s.width;
+    render.height = s.height;
+  })->type_name("WxH");
+  add_setting(app, "--crop", "Render only this part of the image", [&](const RenderSettings& s) {
+    render.crop = s.crop;
+  })->type_name("x0,y0,x1,y1");
+  add_setting(app, "--threads", "Threads (default: one per processor)",
+              [&](const RenderSettings& s) { render.threads = s.threads; });
   app.add_option("--repeats", render.repeats, "Interleaved repeats of which the median is taken")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
@@ -52,13 +74,14 @@ void add_scenes(CLI::App& app, Options& options, const std::string& usual) {
 }
 
 void add_bands(CLI::App& app, Options& options, const std::string& usual) {
-  app.add_option("--bands", options.render.bands, "Wavelength bands (default: " + usual + ")")
-      ->check(CLI::Range(1, 405));
+  add_setting(app, "--bands", "Wavelength bands (default: " + usual + ")",
+              [&](const RenderSettings& s) { options.render.bands = s.bands; });
 }
 
 void add_samples(CLI::App& app, Options& options) {
-  app.add_option("--spp", options.render.samples_per_pixel, "Samples per pixel (default 4)")
-      ->check(CLI::Range(1, 1 << 24));
+  add_setting(
+      app, "--spp", fmt::format("Samples per pixel (default {})", kUsualSamples),
+      [&](const RenderSettings& s) { options.render.samples_per_pixel = s.samples_per_pixel; });
 }
 
 CLI::App* add_rays(CLI::App& app, Options& options, Words& words) {
@@ -89,8 +112,8 @@ CLI::App* add_error(CLI::App& app, Options& options) {
   error
       ->add_option("--vary", options.error.variations,
                    "Settings to compare, such as default, exact, fan=16, fan=8,tolerance=0.5 "
-                   "(words: fan, tolerance, cutoff, bands, noise, lightpaths, exact, jitter, "
-                   "integrator, caustics, adaptive)")
+                   "(words: " +
+                       variation_words() + ")")
       ->type_name("SETTINGS");
   error
       ->add_option("--budgets", options.error.budgets,
@@ -207,9 +230,7 @@ void fill_in(Options& options, const Words& words) {
   const bool long_ones =
       options.measurement == Measurement::error || options.measurement == Measurement::scaling;
   const int side = long_ones ? 128 : 256;
-  render.width = words.size.empty() ? side : words.size[0];
-  render.height = words.size.empty() ? side : words.size[1];
-  if (const auto& c = words.crop; !c.empty()) render.crop = PixelWindow{c[0], c[1], c[2], c[3]};
+  if (!render.width) render.width = render.height = side;
   if (!render.samples_per_pixel) render.samples_per_pixel = kUsualSamples;
   if (words.quick) make_quick(options);
   auto& budgets = options.error.budgets;

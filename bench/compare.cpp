@@ -1,11 +1,11 @@
 #include "bench/compare.h"
 
 #include "bench/timing.h"
+#include "core/scene/user_error.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace abbe::bench {
 namespace {
@@ -70,8 +70,7 @@ Comparison compare(const std::string& first_json, const std::string& second_json
   }
   for (const Timing& timing : second)
     result.only_second.push_back(timing.name);
-  if (result.changes.empty())
-    throw std::invalid_argument("the two reports have no timing in common");
+  if (result.changes.empty()) throw UserError("the two reports have no timing in common");
   return result;
 }
 

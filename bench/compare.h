@@ -14,7 +14,7 @@ struct Timing {
   std::vector<double> repeats; ///< seconds of processor time
 };
 
-/// All timings of a report. Throws std::invalid_argument when the text is no report of the bench.
+/// All timings of a report. Throws UserError when the text is no report of the bench.
 [[nodiscard]] std::vector<Timing> timings_of(const std::string& json_text);
 
 /// What two reports say differently of machine and build, in words; the load does not count.
@@ -40,7 +40,7 @@ struct Comparison {
 };
 
 /// Compares two reports. A change is one whose whole 95 % interval is farther from 1 than `margin`,
-/// the share by which two runs may differ for reasons of their own. Throws std::invalid_argument
+/// the share by which two runs may differ for reasons of their own. Throws UserError
 /// when a text is no report, or when they have nothing in common.
 [[nodiscard]] Comparison compare(const std::string& first_json, const std::string& second_json,
                                  double margin);

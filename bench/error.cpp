@@ -1,10 +1,10 @@
 #include "bench/error.h"
 #include "core/planning/make_plan.h"
+#include "core/scene/user_error.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace abbe::bench {
 namespace {
@@ -53,7 +53,7 @@ ErrorCurves measure_error(const std::filesystem::path& scene_path, const ErrorOp
   const World world = build_world(scene);
   const RenderSettings settings = settings_for(scene, options.render);
   if (settings.seed == options.reference_seed)
-    throw std::invalid_argument("the reference needs a seed other than the scene's");
+    throw UserError("the reference needs a seed other than the scene's");
   ErrorCurves result{scene.title, reference_settings(settings, options), 0.0, {}};
   for (const std::string& text : options.variations) {
     Variation variation = parse_variation(text, settings);

@@ -39,7 +39,7 @@ void write(const std::filesystem::path& path, const std::string& text) {
 std::string read(const std::filesystem::path& path) {
   std::ifstream file(path);
   std::string text(std::istreambuf_iterator<char>(file), {});
-  if (!file) throw std::invalid_argument(fmt::format("cannot read {}", path.string()));
+  if (!file) throw UserError(fmt::format("cannot read {}", path.string()));
   return text;
 }
 
@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
   } catch (const ReadError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return kExitUsage;
-  } catch (const std::invalid_argument& error) {
+  } catch (const UserError& error) {
     fmt::print(stderr, "abbe bench: {}\n", error.what());
     return kExitUsage;
   } catch (const std::exception& error) {

@@ -1,8 +1,8 @@
 #include "bench/setup.h"
-#include "core/planning/plan_extent.h"
 
 #include "bench/timing.h"
-#include "io/scene_language/read_scene.h"
+#include "core/planning/plan_extent.h"
+#include "io/scene_files/read_scene_file.h"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ Scene load_scene(const std::filesystem::path& scene) {
   const bool named = !scene.has_extension() && !scene.has_parent_path();
   const std::filesystem::path path =
       named ? std::filesystem::path(ABBE_SCENES) / (scene.string() + ".sdl") : scene;
-  return read_scene(path, [](const std::string&) {});
+  return read_scene_file(path, [](const std::string&) {});
 }
 
 std::vector<std::filesystem::path> all_scenes() {

@@ -1,9 +1,9 @@
 #include "bench/compare.h"
 
+#include "core/scene/user_error.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <stdexcept>
 
 namespace abbe::bench {
 namespace {
@@ -85,7 +85,7 @@ std::vector<Timing> timings_of(const std::string& json_text) {
       if (key != "machine") collect(value, key, timings);
     return timings;
   } catch (const Json::exception& error) {
-    throw std::invalid_argument(fmt::format("no report of abbe bench: {}", error.what()));
+    throw UserError(fmt::format("no report of abbe bench: {}", error.what()));
   }
 }
 
@@ -98,7 +98,7 @@ std::vector<std::string> machine_differences(const std::string& first, const std
         differences.push_back(fmt::format("{}: {} and {}", key, value.dump(), b.at(key).dump()));
     return differences;
   } catch (const Json::exception& error) {
-    throw std::invalid_argument(fmt::format("no report of abbe bench: {}", error.what()));
+    throw UserError(fmt::format("no report of abbe bench: {}", error.what()));
   }
 }
 

@@ -1,81 +1,38 @@
 #include "bench/variation.h"
 
+#include "core/scene/user_error.h"
+#include "io/settings/setting_text.h"
+
 #include <fmt/format.h>
 
-#include <array>
-#include <charconv>
-#include <stdexcept>
+#include <algorithm>
 
 namespace abbe::bench {
 namespace {
 
-constexpr const char* kWords =
-    "fan=N, tolerance=PIXELS, cutoff=X, bands=N, noise=X, lightpaths=X, exact, jitter=on|off, "
-    "integrator=whitted|path, caustics=on|off, adaptive=on|off or default";
-
-template <class T>
-T number(std::string_view word, std::string_view text, T lowest, T highest) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !(value >= lowest) ||
-      !(value <= highest))
-    throw std::invalid_argument(
-        fmt::format("\"{}\": \"{}\" is not a number from {} to {}", word, text, lowest, highest));
-  return value;
-}
-
-template <class T>
-struct Choice {
-  std::string_view word;
-  T value;
-};
-
-/// Sets `setting` when the word is one of the choices.
-template <class T>
-bool chosen(std::string_view word, const std::array<Choice<T>, 2>& choices, T& setting) {
-  for (const Choice<T>& choice : choices)
-    if (choice.word == word) {
-      setting = choice.value;
-      return true;
-    }
-  return false;
-}
-
-void apply(std::string_view word, RenderSettings& s) {
+void apply(std::string_view word, RenderSettings& settings) {
+  if (word == "default") return;
   const std::size_t equals = word.find('=');
-  const std::string_view key = word.substr(0, equals);
-  const std::string_view value = equals == word.npos ? "" : word.substr(equals + 1);
-  if (word == "exact")
-    s.exact = true;
-  else if (key == "fan")
-    s.max_fan = number(word, value, 1, 405);
-  else if (key == "bands")
-    s.bands = number(word, value, 1, 405);
-  else if (key == "tolerance")
-    s.tolerance_pixels = number(word, value, 0.0, 65536.0);
-  else if (key == "cutoff")
-    s.min_throughput = number(word, value, 0.0, 1.0);
-  else if (key == "noise")
-    s.noise = number(word, value, 0.0, 1.0);
-  else if (key == "lightpaths")
-    s.light_paths = number(word, value, 0.0, 1e6);
-  else if (word != "default" &&
-           !chosen<bool>(word, {{{"jitter=on", true}, {"jitter=off", false}}}, s.jitter) &&
-           !chosen<Integrator>(word,
-                               {{{"integrator=whitted", Integrator::whitted},
-                                 {"integrator=path", Integrator::path}}},
-                               s.integrator) &&
-           !chosen<Caustics>(word,
-                             {{{"caustics=on", Caustics::on}, {"caustics=off", Caustics::off}}},
-                             s.caustics) &&
-           !chosen<AdaptiveSampling>(
-               word,
-               {{{"adaptive=on", AdaptiveSampling::on}, {"adaptive=off", AdaptiveSampling::off}}},
-               s.adaptive))
-    throw std::invalid_argument(fmt::format("\"{}\" is no variation: {}", word, kWords));
+  const auto table = render_setting_table();
+  const auto row = std::ranges::find(table, word.substr(0, equals), &RenderSetting::variation);
+  if (word.empty() || row == table.end() || (equals == word.npos && !row->flag))
+    throw UserError(
+        fmt::format("\"{}\" is no variation; these are: {} or default", word, variation_words()));
+  set_from_text(*row, equals == word.npos ? "on" : word.substr(equals + 1), settings);
 }
 
 } // namespace
+
+std::string variation_words() {
+  std::string list;
+  for (const RenderSetting& row : render_setting_table()) {
+    if (row.variation.empty()) continue;
+    const std::string words = choice_words(row);
+    list += fmt::format("{}{}", list.empty() ? "" : ", ", row.variation);
+    if (!row.flag) list += fmt::format("={}", words.empty() ? std::string(row.arguments) : words);
+  }
+  return list;
+}
 
 Variation parse_variation(std::string_view text, const RenderSettings& settings) {
   Variation variation{std::string(text), settings};

@@ -14,9 +14,10 @@ struct Variation {
   RenderSettings settings;
 };
 
-/// "default", or words joined by commas: fan=N, tolerance=PIXELS, cutoff=X, bands=N, noise=X,
-/// lightpaths=X, exact, jitter=on|off, integrator=whitted|path, caustics=on|off, adaptive=on|off.
-/// Throws std::invalid_argument for anything else.
+/// What a variation may say, as the table of settings has it: "bands=n, jitter=on|off, exact, ...".
+[[nodiscard]] std::string variation_words();
+
+/// "default", or words of `variation_words` joined by commas. Throws UserError for anything else.
 [[nodiscard]] Variation parse_variation(std::string_view text, const RenderSettings& settings);
 
 } // namespace abbe::bench

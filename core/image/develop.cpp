@@ -1,8 +1,7 @@
 #include "core/image/develop.h"
 
+#include "core/image/metadata.h"
 #include "spectral/adaptation.h"
-
-#include <fmt/format.h>
 
 #include <utility>
 
@@ -51,92 +50,7 @@ std::vector<float> linear_rgba(const Film& film, const PixelWindow& part, SceneL
   return rgba;
 }
 
-const char* name(PixelFilter filter) {
-  switch (filter) {
-  case PixelFilter::box:
-    return "box";
-  case PixelFilter::tent:
-    return "tent";
-  case PixelFilter::gaussian:
-    return "gaussian";
-  }
-  return "";
-}
-
-const char* name(ShadowRule rule) {
-  switch (rule) {
-  case ShadowRule::none:
-    return "none";
-  case ShadowRule::opaque:
-    return "opaque";
-  case ShadowRule::automatic: // never in a plan
-  case ShadowRule::attenuated:
-    return "attenuated";
-  }
-  return "";
-}
-
-const char* name(GamutMapping mapping) {
-  switch (mapping) {
-  case GamutMapping::clip:
-    return "clip";
-  case GamutMapping::scale:
-    return "scale";
-  case GamutMapping::desaturate:
-    return "desaturate";
-  }
-  return "";
-}
-
-const char* name(Observer observer) {
-  switch (observer) {
-  case Observer::cie1931_2deg:
-    return "2deg";
-  case Observer::cie1964_10deg:
-    return "10deg";
-  }
-  return "";
-}
-
 } // namespace
-
-Metadata render_metadata(const Plan& plan) {
-  const RenderSettings& s = plan.settings;
-  Metadata data{{"abbe/integrator", s.integrator == Integrator::path ? "path" : "whitted"},
-                {"abbe/bands", fmt::format("{}", s.bands)},
-                {"abbe/samples", fmt::format("{}", s.samples_per_pixel)},
-                {"abbe/adaptive", s.adaptive == AdaptiveSampling::on ? "on" : "off"},
-                {"abbe/observer", name(s.observer)},
-                {"abbe/seed", fmt::format("{}", s.seed)},
-                {"abbe/filter", name(s.filter)},
-                {"abbe/shadows", name(s.shadows)},
-                {"abbe/depth", fmt::format("{}", s.max_depth)},
-                {"abbe/minThroughput", fmt::format("{}", s.min_throughput)},
-                {"abbe/minReflectivity", fmt::format("{}", s.min_reflectivity)},
-                {"abbe/minTransparency", fmt::format("{}", s.min_transparency)},
-                {"abbe/jitter", s.jitter ? "on" : "off"},
-                {"abbe/exact", s.exact ? "on" : "off"}};
-  if (s.noise > 0.0) data.push_back({"abbe/noise", fmt::format("{}", s.noise)});
-  if (s.seconds > 0.0) data.push_back({"abbe/timeLimit", fmt::format("{}", s.seconds)});
-  if (!s.exact) {
-    data.push_back({"abbe/tolerance", fmt::format("{}", s.tolerance_pixels)});
-    data.push_back({"abbe/maxFan", fmt::format("{}", s.max_fan)});
-  }
-  return data;
-}
-
-Metadata display_metadata(const DisplaySettings& settings, Observer observer) {
-  const DisplayEncoding encoding = encoding_of(settings);
-  Metadata data{{"abbe/display", encoding.space.name},
-                {"abbe/transfer", encoding.transfer.name},
-                {"abbe/gamut", name(settings.gamut)},
-                {"abbe/exposure", fmt::format("{}", settings.exposure_ev)}};
-  if (settings.white_point) {
-    const Chromaticity white = settings.white_point->seen_by(observer);
-    data.push_back({"abbe/whitePoint", fmt::format("{:.6f} {:.6f}", white.x, white.y)});
-  }
-  return data;
-}
 
 SceneLinearImage develop_scene_linear(const Film& film, const Plan& plan, SceneLinearSpace space) {
   SceneLinearImage image{full_window(plan), film.window(), linear_rgba(film, film.window(), space),

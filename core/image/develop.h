@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/film/film.h"
-#include "core/image/image.h"
 #include "core/image/display.h"
+#include "core/image/image.h"
 #include "core/plan/plan.h"
 
 namespace abbe {
@@ -21,11 +21,5 @@ develop_scene_linear(const Film& film, const Plan& plan,
 [[nodiscard]] inline SpectralImage develop_spectral(const Film& film, const Plan& plan) {
   return develop_spectral(film, plan, film.window());
 }
-
-/// The settings that made the picture, as name and value. Nothing of the machine, the time or the
-/// number of threads.
-[[nodiscard]] Metadata render_metadata(const Plan& plan);
-/// The settings that made the display's picture of it.
-[[nodiscard]] Metadata display_metadata(const DisplaySettings& settings, Observer observer);
 
 } // namespace abbe

@@ -12,11 +12,11 @@
 #include "core/planning/plan_sources.h"
 #include "core/planning/plan_surfaces.h"
 #include "core/planning/plan_tiles.h"
+#include "core/scene/user_error.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace abbe {
 namespace {
@@ -33,7 +33,7 @@ void plan_caustics(const Scene& scene, Plan& plan) {
   for (const Light& light : scene.lights) {
     if (!endless_flux(light)) continue;
     if (settings.caustics == Caustics::on)
-      throw std::invalid_argument(fmt::format(
+      throw UserError(fmt::format(
           "the light {} has no flux that could be followed: it does not fall off with distance. "
           "Give it falloff square, or leave caustics on out",
           light.name.empty() ? "of a colour" : light.name));
@@ -84,9 +84,9 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
   plan.window = settings.crop.value_or(full);
   if (plan.window.x0 < 0 || plan.window.y0 < 0 || plan.window.x1 > full.x1 ||
       plan.window.y1 > full.y1 || plan.window.width() <= 0 || plan.window.height() <= 0)
-    throw std::invalid_argument(
-        fmt::format("the crop {},{},{},{} is not a part of the {} x {} image", plan.window.x0,
-                    plan.window.y0, plan.window.x1, plan.window.y1, full.x1, full.y1));
+    throw UserError(fmt::format("the crop {},{},{},{} is not a part of the {} x {} image",
+                                plan.window.x0, plan.window.y0, plan.window.x1, plan.window.y1,
+                                full.x1, full.y1));
   plan.tiles = make_tiles(scene, plan.window, settings);
   plan_albedos(plan);
   plan_caustics(scene, plan);

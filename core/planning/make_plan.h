@@ -4,7 +4,7 @@
 
 namespace abbe {
 
-/// Throws std::invalid_argument for settings that make no sense (a crop outside the image, say).
+/// Throws UserError for settings that make no sense (a crop outside the image, say).
 [[nodiscard]] Plan make_plan(const Scene& scene, const RenderSettings& settings);
 
 } // namespace abbe

@@ -5,7 +5,7 @@
 namespace abbe {
 
 /// Puts numbers and choices in the place of what is automatic about samples. Throws
-/// std::invalid_argument for adaptive sampling together with a noise target.
+/// UserError for adaptive sampling together with a noise target.
 void plan_samples(RenderSettings& settings);
 
 } // namespace abbe

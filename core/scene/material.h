@@ -17,6 +17,7 @@ struct Medium {
   Dispersion index = ConstantIndex{1.0};
   Curve absorption_per_mm = Curve::constant(0.0); ///< Beer-Lambert: exp(-absorption * length)
   std::optional<Drops> drops{};                   ///< that hang in it; its index is then 1
+  friend bool operator==(const Medium&, const Medium&) = default;
 };
 
 /// A metal's complex refractive index n - i k.
@@ -73,6 +74,7 @@ struct Material {
   std::optional<ThinFilm> film;   ///< on glass or metal
   std::optional<Dispersion> coat; ///< a clear coat of this index on the diffuse part
   std::optional<ThinPane> pane;   ///< a flat shape is a pane of glass, which bends no light
+  friend bool operator==(const Material&, const Material&) = default;
 };
 
 } // namespace abbe

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/text/name_index.h"
 #include "io/text/read_arguments.h"
 #include "io/text/token.h"
 #include "spectral/curve.h"
@@ -62,6 +63,7 @@ read_library(std::string_view text, const std::string& file, const LibraryWords&
 
   TokenReader reader(text, file);
   std::vector<Entry> entries;
+  NameIndex names;
   while (const auto name = read_entry_head(reader, words)) {
     Entry entry;
     entry.name = name->text;
@@ -76,7 +78,7 @@ read_library(std::string_view text, const std::string& file, const LibraryWords&
     }
     for (std::size_t row = 0; row < keys.size(); ++row)
       if (keys[row].required && !seen[row]) throw missing_key(*name, keys[row].usage);
-    if (find_entry(entries, entry.name)) throw duplicate_entry(*name);
+    if (!names.add(entry.name, entries.size())) throw duplicate_entry(*name);
     entries.push_back(std::move(entry));
   }
   return entries;

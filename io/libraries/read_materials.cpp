@@ -114,11 +114,14 @@ constexpr std::array<LibraryKey<LibraryMaterial>, 23> kKeys{{
 
 /// Adds the entries that have a second name under it too, after the others.
 void add_other_names(std::vector<LibraryMaterial>& entries) {
+  NameIndex names;
+  for (const LibraryMaterial& entry : entries)
+    names.add(entry.name, 0);
   for (std::size_t i = 0, count = entries.size(); i < count; ++i) {
     if (!entries[i].other_name) continue;
     LibraryMaterial same = entries[i];
     same.name = same.other_name->text;
-    if (find_entry(entries, same.name)) throw duplicate_entry(*same.other_name);
+    if (!names.add(same.name, 0)) throw duplicate_entry(*same.other_name);
     entries.push_back(std::move(same));
   }
 }

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "core/scene/scene.h"
 #include "io/images/write_image.h"
-#include "io/libraries/read_display.h"
+#include "io/settings/setting_text.h"
 
 #include <filesystem>
 #include <optional>
@@ -10,36 +9,6 @@
 #include <vector>
 
 namespace abbe {
-
-/// Settings given on the command line; those that are given replace the scene's.
-struct SettingsOverride {
-  std::optional<int> width, height, bands, samples_per_pixel, max_depth, max_fan, threads;
-  std::optional<PixelWindow> crop;
-  std::optional<std::uint64_t> seed;
-  std::optional<double> noise, seconds, min_throughput, tolerance_pixels, light_paths,
-      photon_radius;
-  std::optional<Integrator> integrator;
-  std::optional<PixelFilter> filter;
-  std::optional<ShadowRule> shadows;
-  std::optional<Caustics> caustics;
-  std::optional<Observer> observer;
-  std::optional<AdaptiveSampling> adaptive;
-  std::optional<bool> keep_errors, exact, jitter, skip;
-  std::optional<Tracing> tracing;
-};
-
-/// The same for screens. A white point without a value takes the scene's away.
-struct DisplayOverride {
-  std::optional<double> exposure_ev;
-  std::optional<GamutMapping> gamut;
-  std::optional<ColorSpace> space;
-  std::optional<TransferFunction> transfer;
-  std::optional<std::optional<WhitePoint>> white_point;
-};
-
-/// The scene's settings with those of the command line in their place.
-[[nodiscard]] RenderSettings overridden(RenderSettings scene, const SettingsOverride& given);
-[[nodiscard]] DisplaySettings overridden(DisplaySettings scene, const DisplayOverride& given);
 
 enum class Command { render, plan, list, done };
 

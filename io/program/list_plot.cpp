@@ -1,6 +1,7 @@
 #include "io/program/list_plot.h"
 
 #include "core/optics/conductor_reflectance.h"
+#include "core/scene/user_error.h"
 #include "io/images/write_png.h"
 #include "io/libraries/read_lamp.h"
 #include "io/libraries/read_library.h"
@@ -14,7 +15,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <stdexcept>
 
 namespace abbe {
 namespace {
@@ -87,8 +87,8 @@ public:
   }
 
   [[noreturn]] void fail() const {
-    throw std::invalid_argument(fmt::format("there is nothing called \"{}\" to plot. {}", name_,
-                                            did_you_mean(name_, known_, "abbe list shows names")));
+    throw UserError(fmt::format("there is nothing called \"{}\" to plot. {}", name_,
+                                did_you_mean(name_, known_, "abbe list shows names")));
   }
 
 private:

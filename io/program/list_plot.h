@@ -8,7 +8,7 @@ namespace abbe {
 /// The curve that `--plot` names: a light's spectrum, a material's reflectance, a metal's at normal
 /// incidence or a glass's n, among what `list` was asked for, else among all, in this order. A
 /// library's entry comes before a built-in light, with a warning.
-/// Throws std::invalid_argument, with similar names, when there is none.
+/// Throws UserError, with similar names, when there is none.
 [[nodiscard]] Plot find_plot(const Options& options);
 
 /// Draws it to the terminal, or to the PNG that `--plot-file` names.

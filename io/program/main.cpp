@@ -2,13 +2,14 @@
 #include "core/planning/make_plan.h"
 #include "core/planning/plan_extent.h"
 #include "core/render/render.h"
+#include "core/scene/user_error.h"
 #include "io/images/write_exr.h"
 #include "io/images/write_image.h"
 #include "io/program/command_line.h"
 #include "io/program/interrupt.h"
 #include "io/program/list.h"
 #include "io/program/progress.h"
-#include "io/scene_language/read_scene.h"
+#include "io/scene_files/read_scene_file.h"
 
 #include <fmt/format.h>
 
@@ -41,12 +42,10 @@ std::vector<fs::path> outputs_of(const Options& options, const Scene& scene) {
 void check_place(const fs::path& path) {
   const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
   if (!is_directory(folder))
-    throw std::invalid_argument(
-        fmt::format("{}: there is no folder {}", path.string(), folder.string()));
-  if (is_directory(path))
-    throw std::invalid_argument(fmt::format("{}: this is a folder", path.string()));
+    throw UserError(fmt::format("{}: there is no folder {}", path.string(), folder.string()));
+  if (is_directory(path)) throw UserError(fmt::format("{}: this is a folder", path.string()));
   if (::access(folder.c_str(), W_OK) != 0)
-    throw std::invalid_argument(
+    throw UserError(
         fmt::format("{}: the folder {} cannot be written to", path.string(), folder.string()));
 }
 
@@ -54,20 +53,19 @@ void check_place(const fs::path& path) {
 void check_outputs(const std::vector<fs::path>& outputs, const std::optional<fs::path>& spectral) {
   for (const fs::path& path : outputs)
     if (!is_known_image_extension(path))
-      throw std::invalid_argument(fmt::format("{}: no picture can be written under this name. "
-                                              "The name should end in {}",
-                                              path.string(), known_image_extensions()));
+      throw UserError(fmt::format("{}: no picture can be written under this name. "
+                                  "The name should end in {}",
+                                  path.string(), known_image_extensions()));
   if (spectral && spectral->extension() != ".exr")
-    throw std::invalid_argument(fmt::format(
-        "{}: all bands go into an EXR. The name should end in .exr", spectral->string()));
+    throw UserError(fmt::format("{}: all bands go into an EXR. The name should end in .exr",
+                                spectral->string()));
   std::vector<fs::path> all = outputs;
   if (spectral) all.push_back(*spectral);
   std::set<fs::path> places;
   for (const fs::path& path : all) {
     check_place(path);
     if (!places.insert(fs::weakly_canonical(fs::absolute(path))).second)
-      throw std::invalid_argument(
-          fmt::format("{}: two pictures would have this name", path.string()));
+      throw UserError(fmt::format("{}: two pictures would have this name", path.string()));
   }
 }
 
@@ -105,7 +103,7 @@ void write_outputs(const Rendering& rendering, const Plan& plan, const Options& 
 
 int render_command(const Options& options) {
   const std::atomic<bool>& stop = interrupted();
-  const Scene scene = read_scene(options.scene_path, print_warning);
+  const Scene scene = read_scene_file(options.scene_path, print_warning);
   const std::vector<fs::path> outputs = outputs_of(options, scene);
   check_outputs(outputs, options.spectral_output);
   const Plan plan = make_plan(scene, overridden(scene.settings, options.settings));
@@ -133,7 +131,7 @@ int render_command(const Options& options) {
 }
 
 int plan_command(const Options& options) {
-  const Scene scene = read_scene(options.scene_path, print_warning);
+  const Scene scene = read_scene_file(options.scene_path, print_warning);
   print_plan(make_plan(scene, overridden(scene.settings, options.settings)));
   return 0;
 }
@@ -161,9 +159,12 @@ int main(int argc, char** argv) {
   } catch (const ReadError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return kExitUsage;
-  } catch (const std::invalid_argument& error) {
+  } catch (const UserError& error) {
     fmt::print(stderr, "abbe: {}\n", error.what());
     return kExitUsage;
+  } catch (const std::logic_error& error) { // no input should get here
+    fmt::print(stderr, "abbe: internal error: {}\n", error.what());
+    return kExitFailure;
   } catch (const std::exception& error) {
     fmt::print(stderr, "abbe: {}\n", error.what());
     return kExitFailure;

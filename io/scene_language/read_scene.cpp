@@ -17,7 +17,6 @@
 #include "io/text/similar_names.h"
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 
 #include <stdexcept>
 #include <utility>
@@ -34,10 +33,10 @@ const std::vector<SceneKeyword>& all_keywords() {
   static const std::vector<SceneKeyword> list = [] {
     std::vector<SceneKeyword> rows;
     for (const auto& table :
-         {setting_keywords(), display_keywords(), camera_keywords(), camera_lens_keywords(),
+         {table_keywords(), setting_keywords(), camera_keywords(), camera_lens_keywords(),
           transform_keywords(), material_keywords(), surface_keywords(), drop_keywords(),
-          texture_keywords(), mixture_keywords(), light_keywords(), light_path_keywords(),
-          shape_keywords(), lens_keywords(), boolean_keywords(), macro_keywords()})
+          texture_keywords(), mixture_keywords(), light_keywords(), shape_keywords(),
+          lens_keywords(), boolean_keywords(), macro_keywords()})
       rows.insert(rows.end(), table.begin(), table.end());
     return rows;
   }();
@@ -64,30 +63,6 @@ const SceneKeyword* find_keyword(const Token& token) {
   throw ReadError(token.where, "unknown keyword " + shown(token),
                   "no such word in the scene language",
                   did_you_mean(token.text, names, "docs/scene_format.md lists the keywords"));
-}
-
-void check_camera(const SceneState& state) {
-  if (!state.camera_at) return;
-  const Camera& camera = state.scene.camera;
-  const dvec3 view = camera.look_at - camera.eye;
-  if (!(glm::length(view) > 0.0))
-    throw ReadError(*state.camera_at, "eye and lookAt are the same point",
-                    "the camera has no direction", "Move one of them");
-  const double sine = glm::length(glm::cross(glm::normalize(view), camera.up));
-  if (!(sine > 1e-9 * glm::length(camera.up)))
-    throw ReadError(*state.camera_at, "up has no part across the direction of view",
-                    "it is 0 0 0, or points along the view",
-                    "Give an up such as 0 1 0, or 0 0 1 when looking along y");
-}
-
-void check_crop(const SceneState& state) {
-  const RenderSettings& settings = state.scene.settings;
-  if (!state.crop_at ||
-      (settings.crop->x1 <= settings.width && settings.crop->y1 <= settings.height))
-    return;
-  throw ReadError(*state.crop_at, "the crop reaches beyond the picture",
-                  fmt::format("the picture has {} x {} pixels", settings.width, settings.height),
-                  "Give a smaller crop, or a larger imageSize");
 }
 
 void check_pushes(const SceneState& state) {
@@ -135,10 +110,10 @@ Scene read_scene_text(std::string_view text, const std::filesystem::path& file, 
   while (!reader.at_end())
     read_statement(state, reader);
   check_pushes(state);
-  check_camera(state);
+  if (state.camera_at) check_view(*state.camera_at, state.scene.camera);
   finish_camera_lens(state);
-  check_crop(state);
-  return std::move(state.scene);
+  if (state.crop_at) check_crop(*state.crop_at, state.scene.settings);
+  return state.builder.take();
 }
 
 Scene read_scene(const std::filesystem::path& file, const Warn& warn) {

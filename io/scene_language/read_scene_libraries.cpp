@@ -43,7 +43,7 @@ void add_file(SceneLibrary<Entry>& library, const Kind<Entry>& kind, const fs::p
                     "libraries are found relative to the scene's folder",
                     "Check the name, or write the whole path");
   for (Entry& entry : kind.read(file, {})) {
-    if (find_entry(library.entries, entry.name))
+    if (!library.names.add(entry.name, library.entries.size()))
       throw ReadError(name.where, fmt::format("{} defines \"{}\" again", file.string(), entry.name),
                       fmt::format("it is already in {}", library.files),
                       "Rename or remove one of them");
@@ -59,17 +59,19 @@ const Entry* look_up(SceneLibrary<Entry>& library, const Kind<Entry>& kind, cons
   const fs::path file = folder / kind.default_file;
   std::error_code error;
   if (!library.in_use && library.files.empty() && fs::is_regular_file(file, error)) {
-    library.entries = kind.read(file, {});
+    for (Entry& entry : kind.read(file, {})) {
+      library.names.add(entry.name, library.entries.size());
+      library.entries.push_back(std::move(entry));
+    }
     library.files = file.string();
   }
   library.in_use = true;
-  for (Entry& entry : library.entries) {
-    if (!same_name(entry.name, name)) continue;
-    for (const std::string& remark : std::exchange(entry.remarks, {}))
-      warn(remark);
-    return &entry;
-  }
-  return nullptr;
+  const auto number = library.names.find(name);
+  if (!number) return nullptr;
+  Entry& entry = library.entries[*number];
+  for (const std::string& remark : std::exchange(entry.remarks, {}))
+    warn(remark);
+  return &entry;
 }
 
 template <class Entry>

@@ -2,6 +2,7 @@
 
 #include "io/libraries/read_lights.h"
 #include "io/libraries/read_materials.h"
+#include "io/text/name_index.h"
 #include "io/text/token.h"
 
 #include <filesystem>
@@ -16,6 +17,7 @@ namespace abbe {
 template <class Entry>
 struct SceneLibrary {
   std::vector<Entry> entries;
+  NameIndex names;     ///< of the entries
   std::string files;   ///< for messages
   bool in_use = false; ///< a name has been looked up; no more files can be named
 };

@@ -52,12 +52,12 @@ std::vector<Token> read_body(Arguments& arguments, const Token& name) {
 void read_def(SceneState& state, Arguments& arguments) {
   const Token name = arguments.name_token("the name of a macro");
   Macro macro{name.text, arguments.keyword().where, read_body(arguments, name)};
-  const auto known = std::find_if(state.macros.begin(), state.macros.end(),
-                                  [&](const Macro& m) { return same_name(m.name, macro.name); });
-  if (known != state.macros.end())
-    *known = std::move(macro);
-  else
-    state.macros.push_back(std::move(macro));
+  if (const auto known = state.macro_names.find(name.text)) {
+    state.macros[*known] = std::move(macro);
+    return;
+  }
+  state.macro_names.add(name.text, state.macros.size());
+  state.macros.push_back(std::move(macro));
 }
 
 /// Reads all statements. What is said about them is followed by `note`.
@@ -80,11 +80,10 @@ void check_depth(const SceneState& state, const SourcePosition& where) {
 }
 
 const Macro& find_macro(const SceneState& state, const Token& name) {
+  if (const auto known = state.macro_names.find(name.text)) return state.macros[*known];
   std::vector<std::string> names;
-  for (const Macro& macro : state.macros) {
-    if (same_name(macro.name, name.text)) return macro;
+  for (const Macro& macro : state.macros)
     names.push_back(macro.name);
-  }
   throw ReadError(name.where, "unknown macro " + shown(name), "no def before it has this name",
                   did_you_mean(name.text, names, "Define it with def, before its use"));
 }

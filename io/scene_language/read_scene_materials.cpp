@@ -13,7 +13,6 @@
 #include "io/libraries/read_dispersion.h"
 #include "io/libraries/read_glass.h"
 #include "io/scene_language/read_scene_state.h"
-#include "spectral/band_grid.h"
 #include "spectral/rgb_spectrum.h"
 
 #include <fmt/format.h>
@@ -95,10 +94,9 @@ void read_clear_glass(SceneState& state, Arguments& arguments) {
 /// Clear glass of a law that is written out.
 template <WrittenIndex (*read_law)(Arguments&, const Warn&)>
 void read_law_glass(SceneState& state, Arguments& arguments) {
-  Material clear;
-  clear.reflectivity = clear.transparency = Curve::constant(1.0);
   WrittenIndex index = read_law(arguments, state.warn);
-  state.material = {clear, {std::move(index.name), std::move(index.law), Curve::constant(0.0)}};
+  state.material =
+      clear_material({std::move(index.name), std::move(index.law), Curve::constant(0.0)});
 }
 
 void read_dispersion_scale(SceneState& state, Arguments& arguments) {
@@ -107,12 +105,7 @@ void read_dispersion_scale(SceneState& state, Arguments& arguments) {
 }
 
 void read_metal_mirror(SceneState& state, Arguments& arguments) {
-  const Metal& metal = read_metal(arguments);
-  Material mirror;
-  mirror.name = metal.name;
-  mirror.reflectivity = Curve::constant(1.0);
-  mirror.metal = ConductorIndex{metal.n, metal.k};
-  state.material = {mirror, CurrentMaterial{}.medium};
+  state.material = bare_metal(read_metal(arguments));
 }
 
 /// A metal lets no light in.
@@ -166,14 +159,6 @@ constexpr std::array kKeywords{
 
 } // namespace
 
-void warn_of_extrapolation(SceneState& state, const SourcePosition& where, const Glass& glass) {
-  if (glass.lower_nm <= kLowerNm && glass.upper_nm >= kUpperNm) return;
-  if (!state.warned_glasses.insert(&glass).second) return;
-  warn_at(state, where,
-          fmt::format("glass {} is extrapolated beyond {:g}-{:g} nm (pictures need {}-{} nm)",
-                      glass.name, glass.lower_nm, glass.upper_nm, kLowerNm, kUpperNm));
-}
-
 LinearRgb read_fraction_rgb(SceneState& state, Arguments& arguments) {
   const LinearRgb color = read_rgb(arguments);
   if (std::max({color.r, color.g, color.b}) > 1.0)
@@ -184,11 +169,8 @@ LinearRgb read_fraction_rgb(SceneState& state, Arguments& arguments) {
 }
 
 CurrentMaterial clear_glass(SceneState& state, const SourcePosition& where, const Glass& glass) {
-  warn_of_extrapolation(state, where, glass);
-  Material clear;
-  clear.name = glass.name;
-  clear.reflectivity = clear.transparency = Curve::constant(1.0);
-  return {clear, {glass.name, glass.dispersion, Curve::constant(0.0)}};
+  state.builder.warn_of_extrapolation(where, glass, state.warn);
+  return clear_glass(glass);
 }
 
 std::span<const SceneKeyword> material_keywords() {

@@ -1,30 +1,24 @@
 #pragma once
 
 #include "core/scene/scene.h"
+#include "io/building/scene_builder.h"
 #include "io/meshes/read_mesh.h"
 #include "io/scene_language/read_scene_libraries.h"
+#include "io/text/name_index.h"
 #include "io/text/read_arguments.h"
 #include "io/text/token.h"
 #include "spectral/color.h"
 
 #include <filesystem>
-#include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <string_view>
 #include <vector>
 
 namespace abbe {
 
-/// Hill's default material: a dull light grey.
-[[nodiscard]] Material default_finish();
-
-/// The current material. Shapes get its ids, which are those of an equal state met before.
-struct CurrentMaterial {
-  Material finish = default_finish();
-  Medium medium{"", ThesisScaled{1.0, 0.0}, Curve::constant(0.0)}; ///< used where light gets in
-};
+/// The current material, which the shapes that follow are made of.
+using CurrentMaterial = ShapeMaterial;
 
 /// What applies to the lights that follow.
 struct CurrentLight {
@@ -52,12 +46,6 @@ struct BooleanScope {
   std::vector<CsgTree> operands;
 };
 
-/// A material that the scene gave a name.
-struct NamedMaterial {
-  std::string name;
-  CurrentMaterial material;
-};
-
 /// Statements by name; the last token is an `end`.
 struct Macro {
   std::string name;
@@ -83,7 +71,8 @@ struct CameraLensState {
 
 /// The scene as far as it is read, and everything that is current.
 struct SceneState {
-  Scene scene;
+  SceneBuilder builder;
+  Scene& scene = builder.scene(); ///< for what stands for itself, such as the camera
   SceneLibraries libraries;
   MeshFiles meshes;
   Warn warn;
@@ -95,13 +84,13 @@ struct SceneState {
   CurrentLight light;
   BooleanScope* boolean = nullptr; ///< the innermost one that is open
 
-  std::vector<NamedMaterial> named;
-  std::map<std::filesystem::path, std::size_t> images; ///< those read, by their index in the scene
+  NameIndex material_names; ///< the places in `named` of the materials that the scene has named
+  std::vector<CurrentMaterial> named;
+  NameIndex macro_names; ///< the same for `macros`
   std::vector<Macro> macros;
   std::vector<std::string> open_macros;          ///< being used, each by the one before it
   std::vector<std::filesystem::path> open_files; ///< being read, each included by the one before
 
-  std::set<const Glass*> warned_glasses;
   std::optional<SourcePosition> camera_at; ///< of the last keyword that moves the camera
   std::optional<SourcePosition> crop_at;
   CameraLensState camera_lens;
@@ -114,8 +103,9 @@ struct SceneKeyword {
   bool in_boolean = false; ///< may stand between a boolean's keyword and its operands
 };
 
+/// The keywords of the table of settings.
+[[nodiscard]] std::span<const SceneKeyword> table_keywords();
 [[nodiscard]] std::span<const SceneKeyword> setting_keywords();
-[[nodiscard]] std::span<const SceneKeyword> display_keywords();
 [[nodiscard]] std::span<const SceneKeyword> camera_keywords();
 [[nodiscard]] std::span<const SceneKeyword> camera_lens_keywords();
 [[nodiscard]] std::span<const SceneKeyword> transform_keywords();
@@ -125,7 +115,6 @@ struct SceneKeyword {
 [[nodiscard]] std::span<const SceneKeyword> surface_keywords();
 [[nodiscard]] std::span<const SceneKeyword> drop_keywords();
 [[nodiscard]] std::span<const SceneKeyword> light_keywords();
-[[nodiscard]] std::span<const SceneKeyword> light_path_keywords();
 [[nodiscard]] std::span<const SceneKeyword> shape_keywords();
 [[nodiscard]] std::span<const SceneKeyword> lens_keywords();
 [[nodiscard]] std::span<const SceneKeyword> boolean_keywords();
@@ -155,15 +144,6 @@ void check_operands(const SceneState& state, const Token& next);
 /// Warns with the position in front of the message.
 void warn_at(const SceneState& state, const SourcePosition& where, const std::string& message);
 
-/// True when the finish lets light into the solid.
-[[nodiscard]] bool is_transparent(const Material& finish);
-/// True when all members are equal.
-[[nodiscard]] bool same(const Material& a, const Material& b);
-[[nodiscard]] bool same(const Medium& a, const Medium& b);
-
-/// The id of this finish in the scene, where it is added unless it is there.
-[[nodiscard]] MaterialId material_id(Scene& scene, const Material& finish);
-
 /// Three numbers, each 0 or more: linear sRGB.
 [[nodiscard]] LinearRgb read_rgb(Arguments& arguments);
 
@@ -178,23 +158,9 @@ void warn_at(const SceneState& state, const SourcePosition& where, const std::st
 /// Throws where the current material is a mixture, which has no finish to be changed.
 void require_unmixed(const SceneState& state, const Arguments& arguments);
 
-/// Warns once of a glass whose formula was not fitted for all wavelengths of a picture.
-void warn_of_extrapolation(SceneState& state, const SourcePosition& where, const Glass& glass);
-
 /// The material that the keyword `glass` sets. Warns of a glass that is extrapolated.
 [[nodiscard]] CurrentMaterial clear_glass(SceneState& state, const SourcePosition& where,
                                           const Glass& glass);
-
-/// Throws where a shape's finish has parts that do not go together: a film without a boundary of
-/// glass or metal below it, or a coat on one.
-void check_surface(const SourcePosition& where, const Material& finish);
-
-/// Throws where the finish of a solid is a pane, or one of the materials mixed in it is.
-void check_solid(const Scene& scene, const SourcePosition& where, const Material& finish);
-
-/// The finish of a shape: a pane is of the glass that would fill a solid. Throws where that has no
-/// index.
-[[nodiscard]] Material filled_pane(const SourcePosition& where, const CurrentMaterial& material);
 
 /// Reads what follows the keyword `polyhedron`.
 [[nodiscard]] ConvexPolyhedron read_polyhedron(Arguments& arguments);
@@ -202,7 +168,7 @@ void check_solid(const Scene& scene, const SourcePosition& where, const Material
 /// Three numbers or the name of a light with a factor that may be left out: light given off.
 [[nodiscard]] Curve read_emission(SceneState& state, Arguments& arguments);
 
-/// Adds a shape with a material to the scene.
+/// Adds a shape with a material and the current priority to the scene.
 void place_shape(SceneState& state, const SourcePosition& where, Shape shape,
                  const Transform& to_world, const CurrentMaterial& material);
 

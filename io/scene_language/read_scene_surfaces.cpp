@@ -47,10 +47,8 @@ void read_thin_glass(SceneState& state, Arguments& arguments) {
   constexpr Range kThickness{"a thickness in mm", 0.0, 1e6};
   const double mm = arguments.number(kThickness);
   if (arguments.number_follows()) {
-    Material clear;
-    clear.reflectivity = clear.transparency = Curve::constant(1.0);
-    state.material = {clear,
-                      {"", ConstantIndex{arguments.number(kIndexRange)}, Curve::constant(0.0)}};
+    state.material =
+        clear_material({"", ConstantIndex{arguments.number(kIndexRange)}, Curve::constant(0.0)});
   } else {
     const Glass& glass = read_glass(arguments);
     state.material = clear_glass(state, arguments.keyword().where, glass);
@@ -67,36 +65,6 @@ constexpr std::array kKeywords{
 };
 
 } // namespace
-
-void check_surface(const SourcePosition& where, const Material& finish) {
-  if (finish.pane && (finish.film || finish.roughness > 0.0 || !finish.fresnel))
-    throw ReadError(where,
-                    fmt::format("{} does not go with thinGlass", finish.film      ? "thinFilm"
-                                                                 : finish.fresnel ? "roughness"
-                                                                                  : "fresnel off"),
-                    "a pane has two smooth and bare faces, which reflect by Fresnel's equations",
-                    "Remove it, or give a solid of glass");
-  const bool boundary = finish.metal || is_transparent(finish);
-  if (finish.coat && boundary)
-    throw ReadError(where, "coat does not go with glass or metal",
-                    "it lies on the diffuse part of an opaque surface",
-                    "Give defaultMaterials before it, or thinFilm instead");
-  if (finish.film && !boundary)
-    throw ReadError(where, "thinFilm lies on neither glass nor metal",
-                    "an opaque surface without an index has no light to interfere with",
-                    "Give a glass, a metal or a transparency, or coat instead");
-}
-
-void check_solid(const Scene& scene, const SourcePosition& where, const Material& finish) {
-  if (finish.mixture) {
-    check_solid(scene, where, scene.materials[finish.mixture->first.index()]);
-    check_solid(scene, where, scene.materials[finish.mixture->second.index()]);
-  }
-  if (finish.pane)
-    throw ReadError(where, "thinGlass does not go with a solid",
-                    "it is a pane without an inside, for squares, discs, planes and open meshes",
-                    "Give glass instead, or one of those shapes");
-}
 
 std::span<const SceneKeyword> surface_keywords() {
   return kKeywords;

@@ -57,12 +57,9 @@ void read_image_texture(SceneState& state, Arguments& arguments) {
   const Token name = arguments.name_token("the name of a file");
   std::error_code error;
   const auto path = std::filesystem::weakly_canonical(image_path(name), error);
-  auto known = state.images.find(path);
-  if (known == state.images.end()) {
-    state.scene.images.push_back(read_image(name, state.warn));
-    known = state.images.emplace(path, state.scene.images.size() - 1).first;
-  }
-  state.material.finish.texture = ImageTexture{known->second};
+  const std::size_t image =
+      state.builder.add_image(path, [&] { return read_image(name, state.warn); });
+  state.material.finish.texture = ImageTexture{image};
 }
 
 constexpr std::array kKeywords{

@@ -9,45 +9,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace abbe {
-namespace {
-
-/// The value of the whole text, which may begin with a plus sign.
-template <class Number>
-std::optional<Number> parse_whole_text(std::string_view text) {
-  if (text.starts_with('+')) {
-    text.remove_prefix(1);
-    if (text.starts_with('-')) return std::nullopt;
-  }
-  Number value{};
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end) return std::nullopt;
-  return value;
-}
-
-std::string words(const Range& range) {
-  if (std::isinf(range.highest))
-    return fmt::format("{}{}", range.open ? "more than " : "", range.lowest) +
-           (range.open ? "" : " or more");
-  return range.open ? fmt::format("more than {} and less than {}", range.lowest, range.highest)
-                    : fmt::format("from {} to {}", range.lowest, range.highest);
-}
-
-bool holds(const Range& range, double value) {
-  return range.open ? value > range.lowest && value < range.highest
-                    : value >= range.lowest && value <= range.highest;
-}
-
-} // namespace
-
-std::optional<double> parse_finite(std::string_view text) {
-  const auto value = parse_whole_text<double>(text);
-  return value && std::isfinite(*value) ? value : std::nullopt;
-}
 
 double largest_component(const glm::dvec3& vector) {
   return std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)});
@@ -81,7 +45,7 @@ double Arguments::number() {
 double Arguments::number(const Range& range) {
   const Token token = reader_.peek();
   const double value = number();
-  if (!holds(range, value)) fail_range(token, range);
+  if (!range.holds(value)) fail_range(token, range);
   return value;
 }
 
@@ -93,17 +57,17 @@ glm::dvec3 Arguments::vector() {
 
 std::int64_t Arguments::whole_number(const Range& range) {
   const Token token = number_token("a whole number");
-  const auto value = parse_whole_text<std::int64_t>(token.text);
+  const auto value = parse_whole(token.text);
   if (!value)
     throw ReadError(token.where, shown(token) + " is not a whole number", takes(),
                     "Give digits only, such as 81");
-  if (!holds(range, static_cast<double>(*value))) fail_range(token, range);
+  if (!range.holds(static_cast<double>(*value))) fail_range(token, range);
   return *value;
 }
 
 std::uint64_t Arguments::seed() {
   const Token token = number_token("a whole number");
-  const auto value = parse_whole_text<std::uint64_t>(token.text);
+  const auto value = parse_seed(token.text);
   if (!value)
     throw ReadError(token.where, shown(token) + " is not a seed", takes(),
                     "Give a whole number from 0 to 18446744073709551615");

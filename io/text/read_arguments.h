@@ -1,30 +1,19 @@
 #pragma once
 
+#include "core/scene/number_range.h"
+#include "io/text/numbers.h"
 #include "io/text/token.h"
 
 #include <glm/vec3.hpp>
 
 #include <cstdint>
 #include <initializer_list>
-#include <limits>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace abbe {
-
-/// The numbers that an argument may have, and what it is, for the message.
-struct Range {
-  std::string_view meaning; ///< completes "it is ..."
-  double lowest = 0.0;
-  double highest = std::numeric_limits<double>::infinity();
-  bool open = false; ///< the ends themselves are not allowed
-};
-
-/// The number that a text is; empty when it is no finite number or more than a number.
-[[nodiscard]] std::optional<double> parse_finite(std::string_view text);
 
 /// The largest magnitude of a component. A vector divided by it has a length that neither overflows
 /// nor vanishes.
@@ -63,11 +52,13 @@ public:
     return (words.begin() + static_cast<std::ptrdiff_t>(chosen(names)))->second;
   }
 
+  /// The number of the word in `names` that follows.
+  std::size_t chosen(const std::vector<std::string>& names);
+
   /// "translate takes x y z"
   [[nodiscard]] std::string takes() const;
 
 private:
-  std::size_t chosen(const std::vector<std::string>& names);
   Token number_token(std::string_view kind);
   [[noreturn]] void fail_range(const Token& token, const Range& range) const;
 

@@ -1,5 +1,7 @@
 #include "io/text/similar_names.h"
 
+#include "io/text/name_index.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -12,13 +14,6 @@ constexpr std::size_t kShortestPart = 3; ///< shorter ones are a part of too man
 
 bool is_part(const std::string& part, const std::string& whole) {
   return part.size() >= kShortestPart && whole.find(part) != std::string::npos;
-}
-
-std::string lower_case(std::string_view text) {
-  std::string lowered(text);
-  for (char& c : lowered)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return lowered;
 }
 
 /// Steps from `a` to `b`: a letter replaced, left out, put in, or swapped with its neighbour, no

@@ -98,10 +98,6 @@ private:
 
 } // namespace
 
-std::string to_string(const SourcePosition& where) {
-  return where.file + ':' + std::to_string(where.line) + ':' + std::to_string(where.column);
-}
-
 std::string shown(const Token& token) {
   if (token.kind == TokenKind::end) return "the end of " + ending(token);
   return '"' + token.text + '"';

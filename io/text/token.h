@@ -1,45 +1,15 @@
 #pragma once
 
+#include "io/text/read_error.h"
+
 #include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace abbe {
-
-/// Where something stands in a file; lines and columns count from 1, a column is one character.
-struct SourcePosition {
-  std::string file;
-  int line = 1;
-  int column = 1;
-};
-
-/// `file:line:column`
-[[nodiscard]] std::string to_string(const SourcePosition& where);
-
-/// A file that cannot be understood. what() is "file:line:column: what is wrong (why). What would
-/// be right"; for a file that cannot be read at all there is no line and no column.
-class ReadError : public std::runtime_error {
-public:
-  ReadError(const SourcePosition& where, const std::string& what, const std::string& why,
-            const std::string& right)
-      : runtime_error(to_string(where) + ": " + what + " (" + why + "). " + right) {}
-  ReadError(const std::filesystem::path& file, const std::string& what, const std::string& why,
-            const std::string& right)
-      : runtime_error(file.string() + ": " + what + " (" + why + "). " + right) {}
-  /// The same, with `note` at its end.
-  [[nodiscard]] ReadError with(const std::string& note) const { return ReadError(what() + note); }
-
-private:
-  explicit ReadError(const std::string& message) : runtime_error(message) {}
-};
-
-/// Receives what a reader finds odd but can live with, as "file:line:column: message".
-using Warn = std::function<void(const std::string&)>;
 
 enum class TokenKind : std::uint8_t { word, quoted, open_brace, close_brace, end };
 

@@ -164,5 +164,5 @@ TEST_CASE("default over exact is the ratio of their times to the same colour dif
 TEST_CASE("the reference must not share the scene's seed") {
   ErrorOptions options = tiny_error();
   options.reference_seed = 0;
-  CHECK_THROWS_AS(measure_error("lens", options, [](const std::string&) {}), std::invalid_argument);
+  CHECK_THROWS_AS(measure_error("lens", options, [](const std::string&) {}), UserError);
 }

@@ -1,7 +1,7 @@
 #include "bench/variation.h"
-#include "tests/catch.h"
 
-#include <stdexcept>
+#include "core/scene/user_error.h"
+#include "tests/catch.h"
 
 using namespace abbe;
 using namespace abbe::bench;
@@ -30,6 +30,7 @@ TEST_CASE("a variation changes what it names and nothing else") {
   CHECK(parse_variation("caustics=off", usual).settings.caustics == Caustics::off);
   CHECK(parse_variation("caustics=on", usual).settings.caustics == Caustics::on);
   CHECK(parse_variation("lightpaths=0.25", usual).settings.light_paths == 0.25);
+  CHECK(parse_variation("bands=010", usual).settings.bands == 10);
   RenderSettings path = usual;
   path.integrator = Integrator::path;
   CHECK(parse_variation("integrator=whitted", path).settings.integrator == Integrator::whitted);
@@ -40,9 +41,9 @@ TEST_CASE("what is no variation is refused") {
   const RenderSettings usual;
   for (const char* text :
        {"", "fan", "fan=", "fan=0", "fan=406", "fan=7x", "tolerance=nan", "tolerance=-1",
-        "jitter=maybe", "adaptive=automatic", "noise=2", "integrator=bdpt", "caustics=automatic", "lightpaths=-1",
-        "exact=1", "speed=9", "fan=7,", "default,fast"}) {
+        "jitter=maybe", "noise=2", "integrator=bdpt", "lightpaths=-1", "exact=1", "bands=0x9",
+        "speed=9", "fan=7,", "default,fast"}) {
     INFO(text);
-    CHECK_THROWS_AS(parse_variation(text, usual), std::invalid_argument);
+    CHECK_THROWS_AS(parse_variation(text, usual), UserError);
   }
 }

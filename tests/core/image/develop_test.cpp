@@ -1,4 +1,6 @@
 #include "core/image/develop.h"
+
+#include "core/image/metadata.h"
 #include "core/planning/make_plan.h"
 #include "tests/catch.h"
 #include "tests/render_text.h"
@@ -135,6 +137,17 @@ TEST_CASE("metadata name every setting that shapes the picture and nothing of th
                                               "abbe/minReflectivity", "abbe/minTransparency",
                                               "abbe/jitter", "abbe/adaptive", "abbe/exact",
                                               "abbe/observer", "abbe/tolerance", "abbe/maxFan"});
+  const Metadata path = metadata([](RenderSettings& s) { s.integrator = Integrator::path; });
+  CHECK(path.size() == plain.size() + 3); // caustics, light paths, photon radius
+  const auto path_tells = [&](auto change) {
+    return metadata([&](RenderSettings& s) {
+             s.integrator = Integrator::path;
+             change(s);
+           }) != path;
+  };
+  CHECK(path_tells([](RenderSettings& s) { s.caustics = Caustics::off; }));
+  CHECK(path_tells([](RenderSettings& s) { s.light_paths = 0.5; }));
+  CHECK(path_tells([](RenderSettings& s) { s.photon_radius = 0.5; }));
   const auto tells = [&](auto change) { return metadata(change) != plain; };
   CHECK(tells([](RenderSettings& s) { s.adaptive = AdaptiveSampling::on; }));
   CHECK(tells([](RenderSettings& s) { s.bands = 80; }));

@@ -190,8 +190,9 @@ TEST_CASE("outputs are named one by one and have their formats") {
   CHECK(o.scene_path == "a.sdl");
   CHECK(o.outputs == std::vector<fs::path>{"a.exr", "b/c.png"});
   CHECK(o.spectral_output == fs::path("cube.exr"));
-  CHECK(o.display.exposure_ev == -1.5);
-  CHECK(o.display.gamut == GamutMapping::clip);
+  const DisplaySettings display = overridden(DisplaySettings{}, o.display);
+  CHECK(display.exposure_ev == -1.5);
+  CHECK(display.gamut == GamutMapping::clip);
   CHECK(o.output.exr_pixel == ExrPixel::single);
   CHECK(o.output.tiff_depth == TiffDepth::float32);
   CHECK(o.output.png_bits == 16);
@@ -243,7 +244,7 @@ TEST_CASE("--exr-space names the primaries of EXR") {
 TEST_CASE("plan and list are commands of their own") {
   const Options plan = parse({"plan", "a.sdl", "--bands", "3"});
   CHECK(plan.command == Command::plan);
-  CHECK(plan.settings.bands == 3);
+  CHECK(overridden(RenderSettings{}, plan.settings).bands == 3);
   const Options list = parse({"list", "lights", "my.filter"});
   CHECK(list.command == Command::list);
   CHECK(list.list_what == "lights");
@@ -264,6 +265,7 @@ TEST_CASE("a command line that cannot be understood ends with 2") {
       {"--size", "12"},       {"--size", "0x3"},
       {"--size", "3x70000"},  {"--size", "3x4x5"},
       {"--size", "3x"},       {"--size", "99999999999x1"},
+      {"--size", "4x4x"},     {"--spp", "0x10"},
       {"--crop", "1,2,3"},    {"--crop", "1,2,3,b"},
       {"--bands", "0"},       {"--bands", "406"},
       {"--bands", "1.5"},     {"--spp", "0"},

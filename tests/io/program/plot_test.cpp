@@ -97,5 +97,5 @@ TEST_CASE("--plot finds lights, metals and glasses by name") {
   CHECK_FALSE(glass.from_zero);
   REQUIRE_THROWS_WITH(find_plot(asked("N-BK8", "glasses")),
                       "there is nothing called \"N-BK8\" to plot. Did you mean N-BK7?");
-  REQUIRE_THROWS_AS(find_plot(asked("N-BK7", "lights")), std::invalid_argument);
+  REQUIRE_THROWS_AS(find_plot(asked("N-BK7", "lights")), UserError);
 }

@@ -24,6 +24,7 @@ TEST_CASE("errors of light paths") {
   CHECK(scene_error("lightPaths 0") ==
         "s.sdl:1:12: 0 is out of range for lightPaths (it is a number of light paths per camera "
         "sample). Give a number more than 0 and less than 1000000");
-  CHECK(scene_error("photonRadius 0") == "s.sdl:1:14: 0 is out of range for photonRadius (it is a "
-                                         "length). Give a number more than 0");
+  CHECK(
+      scene_error("photonRadius -1") ==
+      "s.sdl:1:14: -1 is out of range for photonRadius (it is a length). Give a number 0 or more");
 }

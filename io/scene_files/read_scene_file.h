@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/scene/scene.h"
+#include "io/text/read_error.h"
+
+#include <filesystem>
+#include <string>
+
+namespace abbe {
+
+/// Reads a scene in the format that the extension of its name tells, whatever its case. Throws
+/// ReadError for an unknown extension, with a list of those that are known, and for all that the
+/// format's reader refuses.
+[[nodiscard]] Scene read_scene_file(const std::filesystem::path& file, const Warn& warn);
+
+/// ".sdl", for messages and help; several are joined by commas and "or".
+[[nodiscard]] std::string known_scene_extensions();
+
+} // namespace abbe
