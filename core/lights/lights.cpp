@@ -88,44 +88,43 @@ void Lights::share_chances() {
   }
 }
 
+std::optional<LightSample> Lights::sample(const PointOfLight& light, const Choice& choice,
+                                          const dvec3& place, const dvec2&) {
+  const Illumination seen = illumination(*light.light, place);
+  if (!(seen.strength > 0.0)) return std::nullopt;
+  return LightSample{seen.direction, seen.distance, 0.0, pi * seen.strength / choice.chance,
+                     choice.source};
+}
+
+std::optional<LightSample> Lights::sample(const LightDisc& disc, const Choice& choice, const dvec3&,
+                                          const dvec2& u) {
+  const double pdf = choice.chance * disc.directions.pdf();
+  return LightSample{disc.directions.sample(u), kFar, pdf, disc.radiance / pdf, choice.source};
+}
+
+std::optional<LightSample> Lights::sample(const SurfaceLight& light, const Choice& choice,
+                                          const dvec3& place, const dvec2& u) {
+  const auto seen = std::visit([&](const auto& s) { return s.sample(place, u); }, light.surface);
+  if (!seen) return std::nullopt;
+  const double pdf = choice.chance * seen->pdf;
+  return LightSample{seen->direction, seen->distance, pdf, 1.0 / pdf, choice.source};
+}
+
+std::optional<LightSample> Lights::sample(const EnvironmentLight& light, const Choice& choice,
+                                          const dvec3&, const dvec2& u) {
+  const dvec3 direction = light.map->sample(u);
+  const double pdf = choice.chance * light.map->pdf(direction);
+  if (!(pdf > 0.0)) return std::nullopt;
+  return LightSample{direction, kFar, pdf, 1.0 / pdf, choice.source, true};
+}
+
 std::optional<LightSample> Lights::sample(const dvec3& place, double choice, const dvec2& u) const {
   if (choices_.empty()) return std::nullopt;
   const auto chosen =
       std::upper_bound(choices_.begin(), choices_.end() - 1, choice,
                        [](double value, const Choice& c) { return value < c.cumulative; });
-  auto result = std::visit(
-      [&](const auto& extent) { return sample(extent, chosen->chance, place, u); }, chosen->extent);
-  if (result) result->source = chosen->source;
-  return result;
-}
-
-std::optional<LightSample> Lights::sample(const PointOfLight& light, double chance,
-                                          const dvec3& place, const dvec2&) {
-  const Illumination seen = illumination(*light.light, place);
-  if (!(seen.strength > 0.0)) return std::nullopt;
-  return LightSample{seen.direction, seen.distance, 0.0, pi * seen.strength / chance};
-}
-
-std::optional<LightSample> Lights::sample(const LightDisc& disc, double chance, const dvec3&,
-                                          const dvec2& u) {
-  const double pdf = chance * disc.directions.pdf();
-  return LightSample{disc.directions.sample(u), kFar, pdf, disc.radiance / pdf};
-}
-
-std::optional<LightSample> Lights::sample(const SurfaceLight& light, double chance,
-                                          const dvec3& place, const dvec2& u) {
-  const auto seen = std::visit([&](const auto& s) { return s.sample(place, u); }, light.surface);
-  if (!seen) return std::nullopt;
-  const double pdf = chance * seen->pdf;
-  return LightSample{seen->direction, seen->distance, pdf, 1.0 / pdf};
-}
-
-std::optional<LightSample> Lights::sample(const EnvironmentLight& light, double chance,
-                                          const dvec3&, const dvec2& u) {
-  const dvec3 direction = light.map->sample(u);
-  const double pdf = chance * light.map->pdf(direction);
-  if (!(pdf > 0.0)) return std::nullopt;
-  return LightSample{direction, kFar, pdf, 1.0 / pdf, 0, true};
+  return std::visit([&](const auto& extent) { return sample(extent, *chosen, place, u); },
+                    chosen->extent);
 }
 
 double Lights::pdf(const dvec3& place, const Hit& hit) const {

@@ -87,15 +87,15 @@ private:
   void add_environment();
   void share_chances();
 
-  // A sample of each kind of extent, given that it was chosen with this chance.
-  [[nodiscard]] static std::optional<LightSample> sample(const PointOfLight& light, double chance,
-                                                         const dvec3& place, const dvec2& u);
-  [[nodiscard]] static std::optional<LightSample> sample(const LightDisc& disc, double chance,
-                                                         const dvec3& place, const dvec2& u);
-  [[nodiscard]] static std::optional<LightSample> sample(const SurfaceLight& light, double chance,
-                                                         const dvec3& place, const dvec2& u);
+  // A sample of each kind of extent, of the light that was chosen.
   [[nodiscard]] static std::optional<LightSample>
-  sample(const EnvironmentLight& light, double chance, const dvec3& place, const dvec2& u);
+  sample(const PointOfLight& light, const Choice& choice, const dvec3& place, const dvec2& u);
+  [[nodiscard]] static std::optional<LightSample>
+  sample(const LightDisc& disc, const Choice& choice, const dvec3& place, const dvec2& u);
+  [[nodiscard]] static std::optional<LightSample>
+  sample(const SurfaceLight& light, const Choice& choice, const dvec3& place, const dvec2& u);
+  [[nodiscard]] static std::optional<LightSample>
+  sample(const EnvironmentLight& light, const Choice& choice, const dvec3& place, const dvec2& u);
 
   const Scene& scene_;
   const Plan& plan_;

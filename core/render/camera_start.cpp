@@ -34,16 +34,16 @@ void CameraStart::add(const dvec2& film, const Sampler& sampler) {
       [&]<class C>(const C& ready) {
         if constexpr (SharesRay<C>) {
           bundles_.push_back({.bands = {plan_.first_band, plan_.last_band}});
-          states_.emplace_back().ray = ready.ray(film, sampler);
+          states_.push_back({ready.ray(film, sampler), {}, camera_.nesting});
         } else {
           const dvec2 u = sampler.pair(kWavelength);
           lens_fan_->sample(film, sampler.pair(kLens), {plan_.settings.jitter ? u.x : 0.5, u.y},
                             bundles_, states_);
+          for (std::size_t i = ends_.empty() ? 0 : ends_.back(); i < states_.size(); ++i)
+            states_[i].nesting = camera_.nesting;
         }
       },
       camera_.camera);
-  for (std::size_t i = ends_.empty() ? 0 : ends_.back(); i < states_.size(); ++i)
-    states_[i].nesting = camera_.nesting;
   ends_.push_back(states_.size());
 }
 

@@ -78,6 +78,14 @@ TEST_CASE("the flux of a square through a small far ball is radiance times etend
   CHECK(flux.meeting == Approx(4.0 * pi * 1e-4).epsilon(2e-3));
 }
 
+TEST_CASE("a square that is seen obliquely sends as much less as it looks smaller") {
+  // As above, turned by 60 degrees: half.
+  const Flux flux = flux_of("glass SF11 sphere\n"
+                            "defaultMaterials diffuse 0 0 0 emissive E emissiveSides front\n"
+                            "translate 0 0 100 rotate 120 1 0 0 square");
+  CHECK(flux.meeting == Approx(2.0 * pi * 1e-4).epsilon(2e-3));
+}
+
 TEST_CASE("lights that miss all glass send no paths") {
   CHECK(flux_of("falloff square spotlight E 0 0 9 1 0 0 1 20 glass SF11 sphere").lights == 0);
   CHECK(flux_of("falloff square light E 0 0 9 1 sphere").lights == 0);
