@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 namespace abbe {
 namespace {
@@ -69,12 +70,11 @@ void LightPasses::begin(LightPassState& state, SampleRange samples) const {
   state.is_in_film.assign(paths_of(samples).chunks.size(), 0);
 }
 
-void LightPasses::follow(const Chunk& chunk, const Paths& paths, const LightPassState& state,
-                         Film& film, const Found& found) const {
+void LightPasses::follow(LightPaths& walker, const Chunk& chunk, const Paths& paths,
+                         std::uint32_t begun, const Found& found) const {
   const std::size_t e = chunk.emitter;
-  LightPaths walker(plan_, world_, emission_, camera_, film);
   for (std::uint32_t i = chunk.first; i < chunk.last; ++i) {
-    const Sampler sampler(~static_cast<int>(e), 0, state.begun[e] + i, plan_.settings.seed);
+    const Sampler sampler(~static_cast<int>(e), 0, begun + i, plan_.settings.seed);
     const auto ray = emission_.lights()[e].sample(sampler);
     if (!ray) continue;
     const bool keeps = i < paths.mapped[e];
@@ -93,12 +93,15 @@ LightPasses::Followed LightPasses::follow_chunks(const Paths& paths, LightPassSt
   std::atomic<std::size_t> followed = 0;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [&](const auto& range) {
     const DenormalsOff denormals_off;
+    std::optional<LightPaths> with_splats, without; // made once they are needed
     for (std::size_t c = range.begin(); c < range.end() && !stop; ++c) {
       const bool known = state.is_in_film[c] != 0;
       Chunk chunk = paths.chunks[c];
       if (known) chunk.last = std::min(chunk.last, paths.mapped[chunk.emitter]);
       counts[c].record = record;
-      follow(chunk, paths, state, known ? nowhere : film, {result.batches[c], counts[c]});
+      std::optional<LightPaths>& walker = known ? without : with_splats;
+      if (!walker) walker.emplace(plan_, world_, emission_, camera_, known ? nowhere : film);
+      follow(*walker, chunk, paths, state.begun[chunk.emitter], {result.batches[c], counts[c]});
       if (known) counts[c] = {};
       state.is_in_film[c] = 1;
       ++followed;

@@ -13,6 +13,8 @@
 
 namespace abbe {
 
+class LightPaths;
+
 /// How far the light passes of a rendering have come. With the film it is all that is needed to go
 /// on: the photon map is filled anew by the same paths.
 struct LightPassState {
@@ -66,7 +68,8 @@ private:
     PhotonBatch& photons;
     RayCounts& counts;
   };
-  void follow(const Chunk& chunk, const Paths& paths, const LightPassState& state, Film& film,
+  /// Follows a chunk's paths; the emitter has begun so many in earlier passes.
+  void follow(LightPaths& walker, const Chunk& chunk, const Paths& paths, std::uint32_t begun,
               const Found& found) const;
   /// What all chunks have found, in their order.
   struct Followed {

@@ -141,8 +141,11 @@ void RangeRenderer::begin_round() {
 }
 
 int RangeRenderer::end_of_pass() const {
-  const int end = schedule_.end_of_pass(state_.done, state_.round_end);
-  return decides() ? end : std::min(end, range_.last);
+  int end = schedule_.end_of_pass(state_.done, state_.round_end);
+  if (decides()) return end;
+  // Where an earlier range ended within a light pass, its other samples come first.
+  if (state_.done < state_.light.samples.last) end = std::min(end, state_.light.samples.last);
+  return std::min(end, range_.last);
 }
 
 void RangeRenderer::light_pass(int last) {
