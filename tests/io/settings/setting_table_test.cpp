@@ -23,7 +23,7 @@ namespace {
 struct Example {
   std::string scene, option;
   Example(const char* both) : scene(both), option(both) {}
-  Example(const char* scene, const char* option) : scene(scene), option(option) {}
+  Example(const char* in_scene, const char* in_option) : scene(in_scene), option(in_option) {}
 };
 
 // By option. A row without an example fails the test.
@@ -173,13 +173,14 @@ TEST_CASE("every setting has a name in every place, and no name is used twice") 
 TEST_CASE("every member of the settings has its row") {
   // A new member does not compile here until it is named, and counted below.
   const RenderSettings render;
-  const auto& [width, height, crop, bands, observer, samples, noise, seconds, adaptive, keep_errors,
-               seed, integrator, filter, max_depth, min_throughput, min_reflectivity,
-               min_transparency, shadows, caustics, light_paths, photon_radius, exact, jitter,
-               tolerance, max_fan, threads, skip, tracing] = render;
+  [[maybe_unused]] const auto& [width, height, crop, bands, observer, samples, noise, seconds,
+                                adaptive, keep_errors, seed, integrator, filter, max_depth,
+                                min_throughput, min_reflectivity, min_transparency, shadows,
+                                caustics, light_paths, photon_radius, exact, jitter, tolerance,
+                                max_fan, threads, skip, tracing] = render;
   CHECK(render_setting_table().size() == 28 - 1); // width and height are one setting
   const DisplaySettings display;
-  const auto& [exposure, gamut, space, transfer, white_point] = display;
+  [[maybe_unused]] const auto& [exposure, gamut, space, transfer, white_point] = display;
   CHECK(display_setting_table().size() == 5);
 }
 
