@@ -129,17 +129,18 @@ void check_ways(std::span<const Row> table, const Row& row, const Settings& usua
 
 template <class Row, class Settings>
 void check_help(const std::string& text, const Row& row, const Settings& usual) {
-  const std::size_t begin = text.find(" " + std::string(row.option) + " ");
-  REQUIRE(begin != text.npos);
-  const std::size_t end = text.find(" --", begin + 3);
-  const std::string words(row.default_words), value = value_text(row, usual);
-  // Other options may be named inside, so it is enough that the default stands before the next
-  // option's.
-  const std::string shown = "(default " + (words.empty() ? value : words) + ")";
-  const std::size_t at = text.find("(default ", begin);
+  const std::string choice = choice_words(row);
+  const std::string type = row.flag            ? ""
+                           : !row.type.empty() ? std::string(row.type) + " "
+                           : !choice.empty()   ? choice + " "
+                                               : "N ";
+  const std::string begin = " " + std::string(row.option) + " " + type + std::string(row.help);
+  const std::size_t at = text.find(begin);
   REQUIRE(at != text.npos);
-  CHECK(text.compare(at, shown.size(), shown) == 0);
-  CHECK((end == text.npos || begin < at));
+  const std::string usual_text =
+      row.default_words.empty() ? value_text(row, usual) : std::string(row.default_words);
+  const std::string shown = "(default " + usual_text + ")";
+  CHECK(text.find(shown, at) == text.find("(default ", at));
 }
 
 bool names(const Metadata& data, const std::string& name, const std::string& value) {
