@@ -1,6 +1,7 @@
 #include "bench/compare.h"
 #include "bench/rank_interval.h"
 #include "bench/write_json.h"
+#include "core/scene/user_error.h"
 #include "tests/catch.h"
 
 #include <stdexcept>

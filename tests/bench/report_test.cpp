@@ -1,6 +1,7 @@
 #include "bench/result_tables.h"
 #include "bench/write_html.h"
 #include "bench/write_json.h"
+#include "core/scene/user_error.h"
 #include "tests/bench/well_formed.h"
 #include "tests/catch.h"
 

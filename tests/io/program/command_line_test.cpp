@@ -1,4 +1,6 @@
 #include "io/program/command_line.h"
+
+#include "core/image/display.h"
 #include "tests/catch.h"
 
 #include <sys/wait.h>

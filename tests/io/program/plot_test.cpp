@@ -1,5 +1,6 @@
 #include "io/program/plot.h"
 
+#include "core/scene/user_error.h"
 #include "io/program/list_plot.h"
 #include "spectral/line_lamp.h"
 #include "spectral/metal.h"

@@ -70,8 +70,9 @@ TEST_CASE("errors of settings") {
   CHECK(scene_error("unit km") ==
         "s.sdl:1:6: \"km\" is no choice of unit (unit takes mm|cm|m|in|um). Give mm, cm, m, in or "
         "um");
-  CHECK(scene_error("shadows on") == "s.sdl:1:9: \"on\" is no choice of shadows (shadows takes "
-                                     "none|opaque|attenuated). Give none, opaque or attenuated");
+  CHECK(scene_error("shadows on") ==
+        "s.sdl:1:9: \"on\" is no choice of shadows (shadows takes "
+        "none|opaque|attenuated|automatic). Give none, opaque, attenuated or automatic");
   CHECK(scene_error("lights") == "s.sdl:1:7: the end of the file stands where the name of a file "
                                  "should (lights takes FILE). Give a name; one with spaces goes in "
                                  "double quotes");
@@ -94,7 +95,7 @@ TEST_CASE("errors of camera and film") {
                                   "bands). Give a number from 1 to 405");
   CHECK(scene_error("samples 0") ==
         "s.sdl:1:9: 0 is out of range for samples (it is a number of samples per pixel). Give a "
-        "number from 1 to 2147483647");
+        "number from 1 to 16777216");
   CHECK(scene_error("noise 1.5") == "s.sdl:1:7: 1.5 is out of range for noise (it is a relative "
                                     "error). Give a number from 0 to 1");
   CHECK(
