@@ -7,7 +7,7 @@ namespace abbe {
 
 Fractions SurfaceOptics::fractions(int b, double cos_i) const {
   const bool film_shows = film.thickness_nm > 0.0;
-  if (opaque && !metal_n) return {1.0, 0.0};
+  if (opaque && (!metal_n || !fresnel)) return {1.0, 0.0};
   if (opaque) {
     const double reflected =
         film_shows ? thin_film_reflectance(cos_i, n_before[b], film.index[b],
@@ -27,7 +27,7 @@ bool SurfaceOptics::alike(int first, int last) const {
   bool same = true;
   for (int b = first; b < last; ++b)
     same &= n_before[b] == n_before[first];
-  if (opaque && !metal_n) return true;
+  if (opaque && (!metal_n || !fresnel)) return true;
   if (opaque)
     for (int b = first; b < last; ++b)
       same &= metal_n[b] == metal_n[first] && metal_k[b] == metal_k[first];

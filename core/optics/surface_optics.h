@@ -21,7 +21,7 @@ struct SurfaceOptics {
   const float* metal_n = nullptr;   ///< complex index n - i k
   const float* metal_k = nullptr;
   FilmOptics film;
-  bool fresnel = true;                 ///< of a dielectric, see dielectric_fractions
+  bool fresnel = true;                 ///< without, all is returned, see dielectric_fractions
   const float* reflectivity = nullptr; ///< scale the two fractions; null: 1 in all bands
   const float* transparency = nullptr;
 

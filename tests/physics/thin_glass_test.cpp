@@ -59,10 +59,10 @@ TEST_CASE("clear panes are invisible in a white furnace") {
 
 TEST_CASE("a lamp behind a pane lights by what the pane lets through, whatever stops shadow rays") {
   const Glass& bk7 = *find_glass("N-BK7");
-  for (const char* rules : {"integrator whitted shadows attenuated ",
-                            "integrator whitted shadows opaque ",
-                            "integrator path caustics off shadows opaque ",
-                            "integrator path caustics off shadows attenuated "}) {
+  for (const char* rules :
+       {"integrator whitted shadows attenuated ", "integrator whitted shadows opaque ",
+        "integrator path caustics off shadows opaque ",
+        "integrator path caustics off shadows attenuated "}) {
     CAPTURE(rules);
     // One bounce, so that what the floor sends to the pane does not come back.
     const std::string lit =
@@ -151,6 +151,15 @@ TEST_CASE("photons go through a pane; light that meets nothing but panes is no p
   CHECK(photon_flux(kMirror + kThin + kWall, {-0.5, 0, 0.5}, {1, 0, -1}) ==
         Approx(0.5 * through / (1.0 - 0.5 * (1.0 - through))).epsilon(0.02));
   CHECK(photon_flux(kThin + kWall, {0, 0, 0.5}, {0, 0.1, 1}) == 0.0);
+}
+
+// Two panes choose by numbers of their own: with the first's the second would let all through. What
+// a pane returns is a second surface and ends there.
+TEST_CASE("panes in a row dim light one after the other") {
+  const double through = pane_series(kPi / 4.0, 1.0, 1.5, 0.0).transmitted;
+  const std::string second = "push translate 0 0 0.85 scale 9 9 1 square pop ";
+  CHECK(photon_flux("maxRecursionDepth 2 " + kMirror + kThin + second + kWall, {-0.5, 0, 0.5},
+                    {1, 0, -1}) == Approx(0.5 * through * through).epsilon(0.02));
 }
 
 // A spot of light on a ceiling, by way of a mirror, so that all of it is splats.

@@ -2,7 +2,6 @@
 
 #include "core/optics/diffuse_fresnel.h"
 #include "core/optics/fresnel.h"
-#include "core/scattering/conductor.h"
 #include "spectral/metal.h"
 #include "tests/catch.h"
 #include "tests/render_text.h"
