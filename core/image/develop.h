@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/film/film.h"
-#include "core/image/image.h"
 #include "core/image/display.h"
+#include "core/image/image.h"
 #include "core/plan/plan.h"
 
 namespace abbe {

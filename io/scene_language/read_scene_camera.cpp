@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kLargestSide = 65536.0;
 
-template <dvec3 Camera::*member>
+template <dvec3 Camera::* member>
 void read_camera(SceneState& state, Arguments& arguments) {
   state.scene.camera.*member = arguments.vector();
   state.camera_at = arguments.keyword().where;
@@ -90,7 +90,7 @@ void read_filter(SceneState& state, Arguments& arguments) {
                                      {"gaussian", PixelFilter::gaussian}});
 }
 
-template <bool RenderSettings::*setting>
+template <bool RenderSettings::* setting>
 void read_switch(SceneState& state, Arguments& arguments) {
   state.scene.settings.*setting = arguments.on_off();
 }

@@ -31,7 +31,7 @@ void read_max_recursion_depth(SceneState& state, Arguments& arguments) {
   state.scene.settings.max_depth = static_cast<int>(depth);
 }
 
-template <double RenderSettings::*setting>
+template <double RenderSettings::* setting>
 void read_fraction(SceneState& state, Arguments& arguments) {
   state.scene.settings.*setting = arguments.number(kFraction);
 }

@@ -70,7 +70,8 @@ TEST_CASE("quantiles lie between the sorted values") {
 }
 
 TEST_CASE("the noise of bands by hand") {
-  // Band 0: differences 0.1 and 0 over 1 and 2: 0.01 / 5. Band 1: 0.5 over 1: 0.25. Band 2 is black.
+  // Band 0: differences 0.1 and 0 over 1 and 2: 0.01 / 5. Band 1: 0.5 over 1: 0.25. Band 2 is
+  // black.
   const auto film = [](const std::vector<std::vector<float>>& pixels) {
     Film result({0, 0, 2, 1}, 0x1p-40, 3);
     for (int x = 0; x < 2; ++x)

@@ -40,8 +40,8 @@ TEST_CASE("what is no variation is refused") {
   const RenderSettings usual;
   for (const char* text :
        {"", "fan", "fan=", "fan=0", "fan=406", "fan=7x", "tolerance=nan", "tolerance=-1",
-        "jitter=maybe", "adaptive=automatic", "noise=2", "integrator=bdpt", "caustics=automatic", "lightpaths=-1",
-        "exact=1", "speed=9", "fan=7,", "default,fast"}) {
+        "jitter=maybe", "adaptive=automatic", "noise=2", "integrator=bdpt", "caustics=automatic",
+        "lightpaths=-1", "exact=1", "speed=9", "fan=7,", "default,fast"}) {
     INFO(text);
     CHECK_THROWS_AS(parse_variation(text, usual), std::invalid_argument);
   }

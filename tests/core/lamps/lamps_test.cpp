@@ -92,9 +92,7 @@ TEST_CASE("a sun's directions come with the density that is claimed") {
   const Cone disc = Cone::of_sine({1.0 / 3, 2.0 / 3, 2.0 / 3}, std::pow(std::sin(kPi / 9), 2));
   const auto check = test::check_sampling(
       disc,
-      [&](const dvec2& u) {
-        return std::optional(lit.lamps.sample({0, 0, 0}, 0.0, u)->direction);
-      },
+      [&](const dvec2& u) { return std::optional(lit.lamps.sample({0, 0, 0}, 0.0, u)->direction); },
       [&](const dvec3& v) { return disc.holds(v) ? disc.density() : 0.0; });
   CHECK(check.agrees());
   CHECK(check.integral == Approx(1.0));

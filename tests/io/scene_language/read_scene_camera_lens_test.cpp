@@ -112,6 +112,5 @@ TEST_CASE("what a lens cannot do") {
 }
 
 TEST_CASE("an error in a lens file names that file") {
-  check_error("lensFile \"" ABBE_SOURCE_DIR "/scenes/sphere.sdl\"",
-              ".sdl:8:1: unknown keyword");
+  check_error("lensFile \"" ABBE_SOURCE_DIR "/scenes/sphere.sdl\"", ".sdl:8:1: unknown keyword");
 }
