@@ -78,7 +78,7 @@ Table table_of(const Comparison& comparison) {
   Table table{"second over first", {"timing", "ratio", "from", "to", ""}, {}, {}};
   std::size_t faster = 0, slower = 0;
   for (const Change& c : comparison.changes) {
-    const auto bound = [&c](double RatioInterval::*end) {
+    const auto bound = [&c](double RatioInterval::* end) {
       return c.interval ? fmt::format("{:.3f}", *c.interval.*end) : "-";
     };
     table.rows.push_back({c.name, fmt::format("{:.3f}", c.ratio), bound(&RatioInterval::lowest),

@@ -11,7 +11,7 @@ namespace {
 
 struct NamedSkip {
   const char* name;
-  bool Skips::*skip;
+  bool Skips::* skip;
 };
 
 constexpr std::array kSkips{NamedSkip{"empty tiles", &Skips::empty_tiles},

@@ -8,7 +8,9 @@ target_compile_options(abbe_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
   -march=${ABBE_ARCH} -ffp-contract=off -fno-math-errno -fno-trapping-math)
 if(ABBE_SANITIZE)
-  target_compile_options(abbe_flags INTERFACE -fsanitize=${ABBE_SANITIZE} -fno-omit-frame-pointer)
+  # The first finding ends the program, so that a test fails by it. The standard library checks too.
+  target_compile_options(abbe_flags INTERFACE
+    -fsanitize=${ABBE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -D_GLIBCXX_ASSERTIONS)
   target_link_options(abbe_flags INTERFACE -fsanitize=${ABBE_SANITIZE})
 endif()
 

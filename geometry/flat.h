@@ -20,9 +20,7 @@ using Flat = std::variant<Square, Disc, Plane>;
 
 /// True for the types that Flat holds.
 template <class S>
-concept FlatShape = requires(const S& shape, const dvec3& point) {
-  covers(shape, point);
-};
+concept FlatShape = requires(const S& shape, const dvec3& point) { covers(shape, point); };
 
 /// Whether the shape holds this point of its plane.
 [[nodiscard]] inline bool covers(const Square&, const dvec3& point) {

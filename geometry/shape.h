@@ -33,13 +33,13 @@ struct PlacedShape {
 
 /// Shapes that are no tree have one leaf, number 0.
 template <class S>
-requires(!std::is_same_v<S, CsgTree>) [[nodiscard]] dvec3
-    outward_normal(const S& shape, const dvec3& point, FaceId face) {
+  requires(!std::is_same_v<S, CsgTree>)
+[[nodiscard]] dvec3 outward_normal(const S& shape, const dvec3& point, FaceId face) {
   return outward_normal(shape, point, face.face);
 }
 template <class S>
-requires(!std::is_same_v<S, CsgTree>) [[nodiscard]] dvec3
-    snapped(const S& shape, const dvec3& point, FaceId face) {
+  requires(!std::is_same_v<S, CsgTree>)
+[[nodiscard]] dvec3 snapped(const S& shape, const dvec3& point, FaceId face) {
   return snapped(shape, point, face.face);
 }
 
@@ -130,7 +130,7 @@ template <ConvexSolid S>
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const Mesh& mesh, const LocalRay& ray,
                                                          const ShapeState& state);
 template <class S>
-requires FlatShape<S> || ConvexSolid<S>
+  requires FlatShape<S> || ConvexSolid<S>
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const S& shape, const LocalRay& ray,
                                                          const ShapeState& state) {
   ShapeCrossing next;

@@ -82,8 +82,10 @@ void trace_packet(RTCScene scene, Query& query, std::size_t count) {
   for (std::size_t i = 0; i < Width; ++i) {
     valid[i] = i < count ? -1 : 0;
     const Ray& ray = query.states[i < count ? i : 0].ray;
-    set_ray(packet.ray, static_cast<unsigned>(i), ray, query.farthest_coordinate,
-            rounded_up(query.distance));
+    // Embree ignores `valid` where the processor has no packets of this width: an interval that
+    // ends before it begins leaves a lane out everywhere.
+    const float tfar = i < count ? rounded_up(query.distance) : -1.0f;
+    set_ray(packet.ray, static_cast<unsigned>(i), ray, query.farthest_coordinate, tfar);
     packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }

@@ -135,8 +135,7 @@ void attach_type(const ShapeGroups& groups, RTCDevice device, RTCScene scene) {
 void attach(const ShapeGroups& groups, RTCDevice device, RTCScene scene) {
   [&]<std::size_t... Type>(std::index_sequence<Type...>) {
     (attach_type<Type>(groups, device, scene), ...);
-  }
-  (std::make_index_sequence<std::variant_size_v<Shape>>());
+  }(std::make_index_sequence<std::variant_size_v<Shape>>());
 }
 
 } // namespace abbe

@@ -10,6 +10,8 @@ using Catch::Approx;
 #else
 #include <catch2/catch.hpp> // exports Approx itself
 namespace Catch::Matchers {
-inline auto ContainsSubstring(const std::string& text) { return Contains(text); }
+inline auto ContainsSubstring(const std::string& text) {
+  return Contains(text);
+}
 } // namespace Catch::Matchers
 #endif

@@ -127,9 +127,7 @@ bool turns_to(const PolyhedronSurface::Part& part, const dvec3& place) {
 }
 
 template <class S>
-concept Sampled = requires(const S& shape) {
-  surface_of(shape, Transform(), false);
-};
+concept Sampled = requires(const S& shape) { surface_of(shape, Transform(), false); };
 
 } // namespace
 

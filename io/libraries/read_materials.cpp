@@ -33,12 +33,12 @@ constexpr Range kFraction{"a fraction of the light", 0.0, 1.0};
 constexpr Range kAmount{"a factor on the colour"};
 
 /// A key that sets one number of the entry.
-template <double LibraryMaterial::*member>
+template <double LibraryMaterial::* member>
 void set_amount(LibraryMaterial& entry, Arguments& arguments, const Warn&) {
   entry.*member = arguments.number(kAmount);
 }
 
-template <double LibraryMaterial::*member>
+template <double LibraryMaterial::* member>
 void set_fraction(LibraryMaterial& entry, Arguments& arguments, const Warn&) {
   entry.*member = arguments.number(kFraction);
 }

@@ -26,7 +26,7 @@ namespace {
 
 constexpr Range kFraction{"a fraction of the light", 0.0, 1.0};
 
-template <Curve Material::*part>
+template <Curve Material::* part>
 void read_reflectance(SceneState& state, Arguments& arguments) {
   require_unmixed(state, arguments);
   state.material.finish.*part = rgb_reflectance(read_fraction_rgb(state, arguments));

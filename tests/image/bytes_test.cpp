@@ -87,8 +87,8 @@ TEST_CASE("no single thing that the plan skips changes a byte") {
                        "defaultMaterials diffuse 0.7 0.7 0.7\n"
                        "push translate 1 0 -2 square pop");
   const Picture all = picture(scene);
-  for (bool Skips::*const skip : {&Skips::empty_tiles, &Skips::dead_bands, &Skips::constant_curves,
-                                  &Skips::constant_indices}) {
+  for (bool Skips::* const skip : {&Skips::empty_tiles, &Skips::dead_bands, &Skips::constant_curves,
+                                   &Skips::constant_indices}) {
     scene.settings.skip = Skips();
     scene.settings.skip.*skip = false;
     CHECK(picture(scene) == all);

@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kSide = 20, kBands = 9, kSurfaces = 5;
 constexpr int kPaths = 10000; ///< of the brute-force estimator in each pixel
-constexpr int kRenders = 64; ///< of the path tracer, with seeds of their own
+constexpr int kRenders = 64;  ///< of the path tracer, with seeds of their own
 
 using Color = std::array<double, 3>;
 

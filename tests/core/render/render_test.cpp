@@ -62,9 +62,8 @@ TEST_CASE("threads, packets and skipping change no sum of the film, and the seed
 
 TEST_CASE("a crop shows the same pixels as the whole picture") {
   const Rendering whole = render_with([](RenderSettings&) {});
-  const Rendering part = render_with([](RenderSettings& s) {
-    s.crop = PixelWindow{9, 11, 30, 29};
-  });
+  const Rendering part =
+      render_with([](RenderSettings& s) { s.crop = PixelWindow{9, 11, 30, 29}; });
   for (int y = 11; y < 29; ++y)
     for (int x = 9; x < 30; ++x)
       REQUIRE(part.film.color(x, y) == whole.film.color(x, y));

@@ -76,14 +76,19 @@ TEST_CASE("mistakes in a lens file") {
   check_error(kSinglet + " unit in", "unit stands too late (surfaces before it have been read). "
                                      "Move it before the first surface");
   check_error("unit ft", "l.lens:1:6: ");
-  check_error("fNumber 0", "l.lens:1:9: 0 is out of range for fNumber (it is focal length by aperture");
-  check_error("halfField 90", "l.lens:1:11: 90 is out of range for halfField (it is half of the angle of view");
+  check_error("fNumber 0",
+              "l.lens:1:9: 0 is out of range for fNumber (it is focal length by aperture");
+  check_error("halfField 90",
+              "l.lens:1:11: 90 is out of range for halfField (it is half of the angle of view");
   check_error("surface 50 -3",
               "l.lens:1:12: -3 is out of range for surface (it is the way to the next surface");
   check_error("surface 50 3 N-BK8", "l.lens:1:14: unknown glass \"N-BK8\"");
-  check_error("surface 50 3 0 60", "l.lens:1:14: 0 is out of range for surface (it is the refractive index");
-  check_error("surface 50 3 1.5 0", "l.lens:1:18: 0 is out of range for surface (it is the Abbe number");
-  check_error("surface 50 3 air 0", "l.lens:1:18: 0 is out of range for surface (it is half of a diameter");
+  check_error("surface 50 3 0 60",
+              "l.lens:1:14: 0 is out of range for surface (it is the refractive index");
+  check_error("surface 50 3 1.5 0",
+              "l.lens:1:18: 0 is out of range for surface (it is the Abbe number");
+  check_error("surface 50 3 air 0",
+              "l.lens:1:18: 0 is out of range for surface (it is half of a diameter");
   check_error("surface 50", "l.lens:1:11: the file ends where a number should stand");
   check_error("", "l.lens: the lens has no surface (a lens needs glass)");
   check_error("surface 50 3 N-BK7 8 surface -50 48 air 8",

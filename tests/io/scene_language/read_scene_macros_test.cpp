@@ -2,6 +2,8 @@
 
 #include "tests/catch.h"
 
+#include <unistd.h>
+
 #include <glm/geometric.hpp>
 
 #include <fstream>
@@ -16,7 +18,8 @@ double x_of(const Scene& scene, std::size_t shape) {
 
 /// Files in a folder of their own, removed at the end.
 struct Folder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / "abbe_include_test";
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("abbe_include_test." + std::to_string(::getpid()));
 
   Folder() {
     std::filesystem::remove_all(path);

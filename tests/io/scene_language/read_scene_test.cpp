@@ -5,6 +5,8 @@
 #include "spectral/rgb_spectrum.h"
 #include "tests/catch.h"
 
+#include <unistd.h>
+
 #include <fstream>
 
 using namespace abbe;
@@ -25,7 +27,8 @@ public:
   }
 
 private:
-  std::filesystem::path path_ = std::filesystem::temp_directory_path() / "abbe_read_scene_test";
+  std::filesystem::path path_ = std::filesystem::temp_directory_path() /
+                                ("abbe_read_scene_test." + std::to_string(::getpid()));
 };
 
 std::string light(const std::string& name, const std::string& value) {
@@ -56,13 +59,13 @@ TEST_CASE("an empty scene is Scene's defaults and the file's title") {
 }
 
 TEST_CASE("settings of scene, camera and film") {
-  const Scene scene =
-      scene_of("EYE 1 2 3 lookat 4 5 6 Up 0 0 1 fieldOfView 40 imageSize 320 200\n"
-               "crop 10 20 30 40 samples 8 noise 0.05 adaptive off bands 27 seed 18446744073709551615 "
-               "integrator whitted\n"
-               "filter tent jitter off exact on tolerance 0.5 maxFan 9\n"
-               "maxRecursionDepth 5 minReflectivity 0.1 minTransparency 0.2 minThroughput 0\n"
-               "unit cm shadows opaque background 0 0.25 +1 globalAmbient D65 0.5");
+  const Scene scene = scene_of(
+      "EYE 1 2 3 lookat 4 5 6 Up 0 0 1 fieldOfView 40 imageSize 320 200\n"
+      "crop 10 20 30 40 samples 8 noise 0.05 adaptive off bands 27 seed 18446744073709551615 "
+      "integrator whitted\n"
+      "filter tent jitter off exact on tolerance 0.5 maxFan 9\n"
+      "maxRecursionDepth 5 minReflectivity 0.1 minTransparency 0.2 minThroughput 0\n"
+      "unit cm shadows opaque background 0 0.25 +1 globalAmbient D65 0.5");
   CHECK(scene.camera.eye == dvec3(1, 2, 3));
   CHECK(scene.camera.look_at == dvec3(4, 5, 6));
   CHECK(scene.camera.up == dvec3(0, 0, 1));
