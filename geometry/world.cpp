@@ -75,15 +75,21 @@ void set_ray(Packet& out, unsigned i, const Ray& ray, double farthest_coordinate
 constexpr std::size_t kWidest = 16;
 constexpr int kMostPassed = 1000;
 
+/// Traces the first `count` of the query's rays. The mask alone does not keep the other lanes out:
+/// Embree ignores it where it has to trace a packet in narrower pieces, since the processor (or the
+/// device's configuration) has no registers of that width. An interval that ends before it begins
+/// does, and so no callback asks for the state of a ray that is not there.
 template <class Packet, std::size_t Width>
 void trace_packet(RTCScene scene, Query& query, std::size_t count) {
+  constexpr float kNowhere = -1.0f;
   alignas(64) std::array<int, Width> valid{};
   alignas(64) Packet packet;
+  const float tfar = rounded_up(query.distance);
   for (std::size_t i = 0; i < Width; ++i) {
-    valid[i] = i < count ? -1 : 0;
-    const Ray& ray = query.states[i < count ? i : 0].ray;
-    set_ray(packet.ray, static_cast<unsigned>(i), ray, query.farthest_coordinate,
-            rounded_up(query.distance));
+    const bool used = i < count;
+    valid[i] = used ? -1 : 0;
+    set_ray(packet.ray, static_cast<unsigned>(i), query.states[used ? i : 0].ray,
+            query.farthest_coordinate, used ? tfar : kNowhere);
     packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
@@ -119,7 +125,7 @@ struct World::Impl {
   embree::Device device;
   embree::Scene scene;
 
-  Impl(const std::vector<PlacedShape>& placed, double farthest_origin);
+  Impl(const std::vector<PlacedShape>& placed, double farthest_origin, const char* embree_config);
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
@@ -136,9 +142,10 @@ struct World::Impl {
   void go_on_behind(const RayState& start, double distance, Hit& hit) const;
 };
 
-World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_origin)
+World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_origin,
+                  const char* embree_config)
     : shapes(flattened(placed)), table(shapes), farthest_coordinate(farthest_origin),
-      device(rtcNewDevice(nullptr)) {
+      device(rtcNewDevice(embree_config)) {
   if (!device) throw std::runtime_error("Embree: cannot make a device");
   rtcSetDeviceErrorFunction(
       device.get(),
@@ -202,8 +209,9 @@ void World::Impl::go_on_behind(const RayState& start, double distance, Hit& hit)
   hit.t += travelled;
 }
 
-World::World(const std::vector<PlacedShape>& shapes, double farthest_coordinate)
-    : impl_(std::make_unique<Impl>(shapes, farthest_coordinate)) {}
+World::World(const std::vector<PlacedShape>& shapes, double farthest_coordinate,
+             const char* embree_config)
+    : impl_(std::make_unique<Impl>(shapes, farthest_coordinate, embree_config)) {}
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;

@@ -20,9 +20,11 @@ enum class Tracing : std::uint8_t { single, packets };
 class World {
 public:
   /// `farthest_coordinate` is the largest magnitude of a coordinate from which rays start outside
-  /// the shapes (cameras, lamps); bounds are padded for it. Throws std::runtime_error when Embree
-  /// fails.
-  World(const std::vector<PlacedShape>& shapes, double farthest_coordinate);
+  /// the shapes (cameras, lamps); bounds are padded for it. `embree_config` is what rtcNewDevice
+  /// takes, such as "isa=sse4.2" for a narrow instruction set; null for Embree's own choice. Throws
+  /// std::runtime_error when Embree fails.
+  World(const std::vector<PlacedShape>& shapes, double farthest_coordinate,
+        const char* embree_config = nullptr);
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
