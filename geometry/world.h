@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/passage.h"
 #include "geometry/ray_state.h"
 #include "geometry/shape.h"
 
@@ -34,6 +35,10 @@ public:
   [[nodiscard]] std::optional<Hit> closest(const RayState& state) const;
   /// The same, written where it stays: a copy would cost a good part of the query.
   void find_closest(const RayState& state, Hit& hit) const;
+  /// The same of boundaries that are surely nearer than `distance`, for a ray that is followed
+  /// straight on. One that rounding cannot tell from the end of the way does not count, as for
+  /// `occluded`.
+  void find_closest(const RayState& state, double distance, Passage& passage, Hit& hit) const;
   /// The same for rays that run close together; `hits` has the length of `states`.
   void find_closest(std::span<const RayState> states, std::span<Hit> hits, Tracing tracing) const;
 

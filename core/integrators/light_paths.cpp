@@ -76,11 +76,12 @@ void LightPaths::follow() {
 }
 
 bool LightPaths::arrive() {
+  Passage passage;
   for (;;) {
     const Hit& hit = bundle_.hit;
     absorb(plan_.medium(hit.medium_before), hit.t, bundle_.first, bundle_.last, throughput_.data());
     if (!plan_.unseen(hit)) return true;
-    pass_unseen_boundary(bundle_, world_, *counts_);
+    pass_unseen_boundary(bundle_, world_, passage, *counts_);
     if (!bundle_.hit.met()) return false;
   }
 }

@@ -33,16 +33,16 @@ const float* ShadowRays::transmittance(const RayState& towards_lamp, double dist
 bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
                            PathWavelengths& wavelengths, RayCounts& counts) {
   Hit hit;
+  Passage passage;
   for (;;) {
     counts.add(RayKind::shadow, state);
-    world_.find_closest(state, hit);
-    const double way = hit.met() ? std::min(hit.t, distance) : distance;
+    // Of what lies at the end of the way nothing counts: rounding must not decide whether it does.
+    world_.find_closest(state, distance, passage, hit);
+    const double way = hit.met() ? hit.t : distance;
     const MediumId medium = hit.met() ? hit.medium_before : world_.medium_of(state.nesting);
     absorb(plan_.medium(medium), way, first, last, transmittance_.data());
-    if (!hit.met() || hit.t >= distance) return true;
+    if (!hit.met()) return true;
     const MaterialPlan& material = plan_.materials[hit.material.index()];
-    // The way may end on a lamp that glows; whether it does, rounding must not decide.
-    if (material.emission_source >= 0 && !world_.occluded(state, distance)) return true;
     if (!plan_.unseen(hit)) {
       if (!material.transmits || plan_.settings.shadows == ShadowRule::opaque) return false;
       // The path tracer finds what comes through rough glass by scattering.
@@ -51,9 +51,7 @@ bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
       pass(material, hit, cos_i, first, last, wavelengths, transmittance_);
       through_glass_ = true;
     }
-    state.ray.origin = hit.point;
-    state.contacts = hit.other_side;
-    state.nesting = hit.nesting_after;
+    if (!passage.go_through(hit, state)) return false;
     distance -= hit.t;
   }
 }

@@ -28,6 +28,7 @@ void SingleScatter::begin_path(const Sampler& sampler) {
 
 void SingleScatter::arrive(Bundle& bundle, float* throughput, PathWavelengths& wavelengths,
                            RadianceSums& sums, RayCounts& counts) {
+  Passage passage;
   for (;;) {
     const Hit& hit = bundle.hit;
     const double way = hit.met() ? hit.t : kInfinity;
@@ -36,7 +37,7 @@ void SingleScatter::arrive(Bundle& bundle, float* throughput, PathWavelengths& w
     if (medium.drops) add(bundle, way, medium, throughput, wavelengths, sums, counts);
     absorb(medium, way, bundle.first, bundle.last, throughput);
     if (!hit.met() || !plan_.unseen(hit)) return;
-    pass_unseen_boundary(bundle, world_, counts);
+    pass_unseen_boundary(bundle, world_, passage, counts);
   }
 }
 

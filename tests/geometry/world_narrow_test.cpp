@@ -20,8 +20,8 @@ public:
   explicit GuardedStates(std::size_t count)
       : count_(count), page_(static_cast<std::size_t>(sysconf(_SC_PAGESIZE))),
         usable_((count * sizeof(RayState) + page_ - 1) / page_ * page_) {
-    void* memory = mmap(nullptr, usable_ + page_, PROT_READ | PROT_WRITE,
-                        MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    void* memory =
+        mmap(nullptr, usable_ + page_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     REQUIRE(memory != MAP_FAILED);
     begin_ = static_cast<std::byte*>(memory);
     REQUIRE(mprotect(begin_ + usable_, page_, PROT_NONE) == 0);
@@ -49,8 +49,10 @@ private:
 std::vector<PlacedShape> cluster(Random& random) {
   Scene scene;
   for (int i = 0; i < 40; ++i)
-    scene.add(placed(i % 3 == 0 ? sphere() : i % 3 == 1 ? box() : square(), random.linear(),
-                     random.in_cube(3.0)),
+    scene.add(placed(i % 3 == 0   ? sphere()
+                     : i % 3 == 1 ? box()
+                                  : square(),
+                     random.linear(), random.in_cube(3.0)),
               0);
   return scene.shapes();
 }
