@@ -1,6 +1,7 @@
 #include "geometry/boundary.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace abbe {
@@ -38,7 +39,7 @@ void enter_or_leave(Nesting& nesting, ShapeId shape, bool entering) {
   const auto* found = std::find(nesting.begin(), nesting.end(), shape);
   if (!entering && found != nesting.end())
     nesting.erase(static_cast<std::size_t>(found - nesting.begin()));
-  if (entering && found == nesting.end() && !nesting.full()) nesting.push_back(shape);
+  if (entering && found == nesting.end()) nesting.push_back(shape);
 }
 
 /// The crossing that shows: an opaque or flat shape before glass, then the highest priority, then
@@ -56,7 +57,6 @@ const Candidate& shown(const ShapeTable& shapes, const Coincident& crossings) {
 }
 
 void touch(Hit& hit, const Candidate& c) {
-  if (hit.same_side.full()) return;
   const bool entering = c.crossing.entering;
   hit.same_side.push_back({c.shape, c.crossing.face, entering ? Side::outside : Side::inside});
   hit.other_side.push_back({c.shape, c.crossing.face, entering ? Side::inside : Side::outside});
@@ -69,21 +69,28 @@ void keep_contacts(Hit& hit, const Contacts& contacts) {
     const bool crossed =
         std::any_of(hit.same_side.begin(), hit.same_side.end(),
                     [&](const SurfaceContact& contact) { return contact.shape == old.shape; });
-    if (crossed || hit.same_side.full()) continue;
+    if (crossed) continue;
     hit.same_side.push_back(old);
     hit.other_side.push_back(old);
   }
 }
 
+/// True where rounding cannot tell the place of a crossing from the ray's origin. A root's error is
+/// that of the surface's place, seen along the ray.
+bool has_not_moved(const RayState& state, const ShapeCrossing& crossing, const Hit& hit) {
+  return crossing.t <= crossing.t_error &&
+         crossing.t <= crossing.t_error * std::abs(glm::dot(hit.normal, state.ray.direction));
+}
+
 } // namespace
 
-bool NearestCandidates::offer_beside_others(const Candidate& candidate) {
+void NearestCandidates::offer_beside_others(const Candidate& candidate) {
   for (std::size_t i = kept_.size(); i-- > 0;)
     if (kept_[i].crossing.t - kept_[i].crossing.t_error > reach_) kept_.erase(i);
   std::size_t place = kept_.size();
   while (place > 0 && before(candidate, kept_[place - 1]))
     --place;
-  return kept_.insert(place, candidate);
+  kept_.insert(place, candidate);
 }
 
 MediumId medium_of(const ShapeTable& shapes, const Nesting& nesting) {
@@ -123,6 +130,7 @@ bool resolve(const ShapeTable& shapes, const RayState& state, const Coincident& 
     enter_or_leave(hit.nesting_after, c.shape, c.crossing.entering);
     changes = true;
   }
+  hit.moved = !has_not_moved(state, seen.crossing, hit);
   if (hit.t == 0.0) keep_contacts(hit, state.contacts);
 
   hit.medium_before = medium_of(shapes, hit.nesting_before);

@@ -14,7 +14,7 @@ struct Candidate {
 };
 
 /// Crossings that rounding cannot tell apart, by distance, then shape.
-using Coincident = FixedVector<Candidate, 8>;
+using Coincident = ShortVector<Candidate, 8>;
 
 /// The candidates nearest to a ray's origin: all crossings that rounding cannot tell from the
 /// first. The content does not depend on the order in which candidates come.
@@ -24,8 +24,10 @@ public:
   bool offer(ShapeId shape, const ShapeCrossing& crossing) {
     if (crossing.t - crossing.t_error > reach_) return false;
     reach_ = std::min(reach_, crossing.t + crossing.t_error);
-    if (!kept_.empty()) return offer_beside_others({shape, crossing});
-    kept_.push_back({shape, crossing});
+    if (kept_.empty())
+      kept_.push_back({shape, crossing});
+    else
+      offer_beside_others({shape, crossing});
     return true;
   }
   [[nodiscard]] bool empty() const { return kept_.empty(); }
@@ -38,7 +40,7 @@ public:
   [[nodiscard]] const Coincident& boundary() const { return kept_; }
 
 private:
-  bool offer_beside_others(const Candidate& candidate);
+  void offer_beside_others(const Candidate& candidate);
 
   Coincident kept_;
   double reach_ = kInfinity;

@@ -115,7 +115,7 @@ CsgTree CsgTree::moved(const Transform& outer) const {
   return tree;
 }
 
-void intersect(const CsgTree& tree, const LocalRay& ray, const CsgContact* contact,
+void intersect(const CsgTree& tree, const LocalRay& ray, std::span<const CsgContact> contacts,
                std::vector<Interval>& intervals) {
   // Each pending result is a run of `intervals`; `starts` remembers where the runs begin.
   thread_local std::vector<std::size_t> starts;
@@ -123,7 +123,9 @@ void intersect(const CsgTree& tree, const LocalRay& ray, const CsgContact* conta
   for (const CsgTree::Step& step : tree.steps()) {
     if (step.leaf >= 0) {
       const CsgLeaf& leaf = tree.leaves()[static_cast<std::size_t>(step.leaf)];
-      const FaceContact* face = contact && contact->leaf == step.leaf ? &contact->face : nullptr;
+      const auto contact = std::find_if(contacts.begin(), contacts.end(),
+                                        [&](const CsgContact& c) { return c.leaf == step.leaf; });
+      const FaceContact* face = contact != contacts.end() ? &contact->face : nullptr;
       starts.push_back(intervals.size());
       auto found = std::visit(
           [&](const auto& solid) { return intersect(solid, local_ray(leaf.to_tree, ray), face); },

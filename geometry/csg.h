@@ -2,6 +2,7 @@
 
 #include "geometry/convex.h"
 
+#include <span>
 #include <vector>
 
 namespace abbe {
@@ -47,9 +48,10 @@ struct CsgContact {
   FaceContact face;
 };
 
-/// Appends to `intervals` the parts of the line inside the solid, ascending and disjoint.
-/// Allocates nothing once `intervals` has grown to its working size.
-void intersect(const CsgTree& tree, const LocalRay& ray, const CsgContact* contact,
+/// Appends to `intervals` the parts of the line inside the solid, ascending and disjoint. Of
+/// several contacts with one leaf the first counts. Allocates nothing once `intervals` has grown to
+/// its working size.
+void intersect(const CsgTree& tree, const LocalRay& ray, std::span<const CsgContact> contacts,
                std::vector<Interval>& intervals);
 [[nodiscard]] dvec3 outward_normal(const CsgTree& tree, const dvec3& point, FaceId face);
 [[nodiscard]] dvec3 snapped(const CsgTree& tree, const dvec3& point, FaceId face);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace abbe {
@@ -65,9 +66,10 @@ enum class MeshSearch : std::uint8_t {
   sum     ///< how many exits surely lie ahead, less the entries: 1 inside a closed mesh, 0 outside
 };
 
-/// Crossings that do not lie behind the origin by more than rounding. Triangle `touched` is not
-/// asked. Of lines close to an edge, exactly one of its triangles is met.
-[[nodiscard]] MeshCrossings first_crossings(const Mesh& mesh, const LocalRay& ray, int touched,
+/// Crossings that do not lie behind the origin by more than rounding. The triangles `touched` are
+/// not asked. Of lines close to an edge, exactly one of its triangles is met.
+[[nodiscard]] MeshCrossings first_crossings(const Mesh& mesh, const LocalRay& ray,
+                                            std::span<const std::int32_t> touched,
                                             MeshSearch search);
 
 [[nodiscard]] dvec3 outward_normal(const Mesh& mesh, const dvec3& point, int face);

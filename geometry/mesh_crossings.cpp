@@ -182,7 +182,8 @@ bool before(const Root& a, const Root& b) {
 /// One search through the hierarchy for the crossings of one ray.
 class Search {
 public:
-  Search(const Mesh& mesh, const LocalRay& ray, int touched, MeshSearch search)
+  Search(const Mesh& mesh, const LocalRay& ray, std::span<const std::int32_t> touched,
+         MeshSearch search)
       : mesh_(mesh), ray_(ray), touched_(touched), search_(search), boxes_(mesh, ray), line_(ray) {}
 
   MeshCrossings run() {
@@ -216,6 +217,12 @@ public:
   }
 
 private:
+  [[nodiscard]] bool touches(std::int32_t face) const {
+    for (const std::int32_t touched : touched_)
+      if (touched == face) return true;
+    return false;
+  }
+
   void ask(const MeshLeaf& leaf) {
     const Lanes lanes = line_.crossed(mesh_, leaf);
     for (unsigned left = lanes.crossed; left != 0; left &= left - 1) {
@@ -224,7 +231,7 @@ private:
       const bool outwards = (lanes.outwards >> lane & 1u) != 0;
       const double t = lanes.t[static_cast<std::size_t>(lane)];
       Root& first = outwards ? found_.exit : found_.enter;
-      if (face == touched_ || t > first.t) continue;
+      if (t > first.t || touches(face)) continue;
       const double cosine = std::abs(glm::dot(outward_normal(mesh_, {}, face), ray_.direction));
       if (cosine == 0.0) continue;
       Root root{t, plane_root_error(ray_, cosine, t, mesh_.size()), {0, face}};
@@ -253,7 +260,7 @@ private:
 
   const Mesh& mesh_;
   const LocalRay& ray_;
-  int touched_;
+  std::span<const std::int32_t> touched_;
   MeshSearch search_;
   BoxRay boxes_;
   ShearedLine line_;
@@ -263,8 +270,8 @@ private:
 
 } // namespace
 
-MeshCrossings first_crossings(const Mesh& mesh, const LocalRay& ray, int touched,
-                              MeshSearch search) {
+MeshCrossings first_crossings(const Mesh& mesh, const LocalRay& ray,
+                              std::span<const std::int32_t> touched, MeshSearch search) {
   return Search(mesh, ray, touched, search).run();
 }
 

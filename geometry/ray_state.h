@@ -1,8 +1,8 @@
 #pragma once
 
-#include "geometry/fixed_vector.h"
 #include "geometry/interval.h"
 #include "geometry/ray.h"
+#include "geometry/short_vector.h"
 
 namespace abbe {
 
@@ -12,15 +12,16 @@ struct SurfaceContact {
   ShapeId shape;
   FaceId face;
   Side side = Side::outside;
+  friend bool operator==(const SurfaceContact&, const SurfaceContact&) = default;
 };
 
 /// All surfaces that meet at a ray's origin: one as a rule, more where solids touch. The first is
 /// the one that shows; its side is believed. The others' sides hold where the ray's direction does
 /// not contradict them: in a corner of two walls it crosses the second one at once.
-using Contacts = FixedVector<SurfaceContact, 4>;
+using Contacts = ShortVector<SurfaceContact, 4>;
 
 /// The solids that contain a ray's origin, in the order in which they were entered.
-using Nesting = FixedVector<ShapeId, 8>;
+using Nesting = ShortVector<ShapeId, 8>;
 
 /// The record of a ray: what identity and side say, and no tolerance can.
 struct RayState {
@@ -41,6 +42,7 @@ struct Hit {
   ShapeId shape;        ///< the shape that shows
   FaceId face;          ///< and which part of it
   bool entering = true; ///< the ray runs against `normal`
+  bool moved = true;    ///< rounding can tell the place from where the ray began
   MaterialId material;  ///< the finish of that part
   MediumId medium_before, medium_after;
   // A ray that leaves on the side it came from takes same_side and nesting_before (not the nesting

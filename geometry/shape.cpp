@@ -1,5 +1,7 @@
 #include "geometry/shape.h"
 
+#include "geometry/short_vector.h"
+
 namespace abbe {
 
 bool is_solid(const Shape& shape) {
@@ -30,15 +32,17 @@ Bounds bounds(const PlacedShape& placed) {
 
 std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& ray,
                                            const ShapeState& state) {
-  CsgContact contact;
-  if (state.touching) {
-    const bool flipped = tree.leaves()[static_cast<std::size_t>(state.face.leaf)].flipped;
-    const bool inside_leaf = state.inside != flipped;
-    contact = {state.face.leaf, {state.face.face, inside_leaf ? Side::inside : Side::outside}};
-  }
+  ShortVector<CsgContact, 4> contacts;
+  const auto touch = [&](const FaceId& face, bool inside) {
+    const bool flipped = tree.leaves()[static_cast<std::size_t>(face.leaf)].flipped;
+    contacts.push_back({face.leaf, {face.face, inside != flipped ? Side::inside : Side::outside}});
+  };
+  if (state.touching) touch(state.face, state.inside);
+  for (const TouchedFace& other : state.others)
+    touch(other.face, other.inside);
   thread_local std::vector<Interval> intervals;
   intervals.clear();
-  intersect(tree, ray, state.touching ? &contact : nullptr, intervals);
+  intersect(tree, ray, {contacts.begin(), contacts.size()}, intervals);
 
   if (state.inside) {
     const Root* just_left = nullptr; // an exit that rounding has put behind the origin
@@ -61,31 +65,65 @@ std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& 
   return std::nullopt;
 }
 
+namespace {
+
+/// What lies ahead of a ray that is inside a closed mesh, or outside.
+struct MeshAhead {
+  MeshCrossings found;
+  bool missed = false; ///< it is not as the crossings would have it
+};
+
+/// Where a ray starts at an edge, rounding may put its line beside the triangle through which it
+/// should go at once. Then the next crossing is of the other kind, or no way leads out. If the two
+/// cannot be told apart, all crossings ahead decide.
+MeshAhead look_ahead(const Mesh& mesh, const LocalRay& ray, std::span<const std::int32_t> touched,
+                     bool inside) {
+  const MeshCrossings found =
+      first_crossings(mesh, ray, touched, inside ? MeshSearch::exit : MeshSearch::enter);
+  const Root& wanted = inside ? found.exit : found.enter;
+  const Root& other = inside ? found.enter : found.exit;
+  const bool missed = [&] {
+    if (other.t == kInfinity) return inside && wanted.t == kInfinity;
+    if (other.t + other.t_error < wanted.t - wanted.t_error) return true;
+    if (wanted.t + wanted.t_error < other.t - other.t_error) return false;
+    const MeshCrossings all = first_crossings(mesh, ray, touched, MeshSearch::sum);
+    return (all.exits_less_entries > 0) != inside;
+  }();
+  return {found, missed};
+}
+
+} // namespace
+
 std::optional<ShapeCrossing> next_crossing(const Mesh& mesh, const LocalRay& ray,
                                            const ShapeState& state) {
-  const int touched = state.touching ? state.face.face : -1;
+  ShortVector<std::int32_t, 8> touched;
+  if (state.touching) touched.push_back(state.face.face);
+  for (const TouchedFace& other : state.others)
+    touched.push_back(other.face.face);
+  const std::span<const std::int32_t> touched_faces(touched.begin(), touched.size());
   if (!mesh.is_closed()) {
-    const MeshCrossings found = first_crossings(mesh, ray, touched, MeshSearch::either);
+    const MeshCrossings found = first_crossings(mesh, ray, touched_faces, MeshSearch::either);
     const Root& first = found.enter.t <= found.exit.t ? found.enter : found.exit;
     if (first.t == kInfinity) return std::nullopt;
     return ShapeCrossing{first.t, first.t_error, first.face, &first == &found.enter};
   }
-  const MeshCrossings found =
-      first_crossings(mesh, ray, touched, state.inside ? MeshSearch::exit : MeshSearch::enter);
-  const Root& wanted = state.inside ? found.exit : found.enter;
-  const Root& other = state.inside ? found.enter : found.exit;
-  // Where a ray starts at an edge, rounding may put its line beside the triangle through which it
-  // should go at once. Then the next crossing is of the other kind, or no way leads out. If the two
-  // cannot be told apart, all crossings ahead decide.
-  const bool missed = [&] {
-    if (other.t == kInfinity) return state.inside && wanted.t == kInfinity;
-    if (other.t + other.t_error < wanted.t - wanted.t_error) return true;
-    if (wanted.t + wanted.t_error < other.t - other.t_error) return false;
-    const MeshCrossings all = first_crossings(mesh, ray, touched, MeshSearch::sum);
-    return (all.exits_less_entries > 0) != state.inside;
-  }();
-  if (missed)
+  MeshAhead ahead = look_ahead(mesh, ray, touched_faces, state.inside);
+  // A ray away from the surface has lost no crossing at its start. Its line runs through a vertex
+  // so closely that the signs of the edges there contradict each other. A line beside it, no
+  // farther off than rounding, tells what is met.
+  if (ahead.missed && !state.touching) {
+    const double rounding = 4.0 * ray.shift_at(0.0, mesh.size());
+    for (int corner = 0; corner < 8 && ahead.missed; ++corner) {
+      LocalRay beside = ray;
+      beside.coordinate_error += 2.0 * rounding; // by sqrt(3) times as much at most
+      for (int axis = 0; axis < 3; ++axis)
+        beside.origin[axis] += (corner >> axis & 1) != 0 ? rounding : -rounding;
+      ahead = look_ahead(mesh, beside, touched_faces, state.inside);
+    }
+  }
+  if (ahead.missed && (state.touching || state.inside))
     return ShapeCrossing{0.0, 0.0, {0, nearest_face(mesh, ray, !state.inside)}, !state.inside};
+  const Root& wanted = state.inside ? ahead.found.exit : ahead.found.enter;
   if (wanted.t == kInfinity) return std::nullopt;
   return ShapeCrossing{wanted.t, wanted.t_error, wanted.face, !state.inside};
 }

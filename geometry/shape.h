@@ -5,6 +5,7 @@
 #include "geometry/mesh.h"
 
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <variant>
 
@@ -59,12 +60,21 @@ struct ShapeCrossing {
   }
 };
 
+/// A face on which a ray's origin lies, and whether the ray runs inside the solid from there.
+struct TouchedFace {
+  FaceId face;
+  bool inside = false;
+};
+
 /// What a ray already knows about a shape: whether it is inside, and whether its origin lies on
-/// one of the faces (`face`), on the solid's side that `inside` tells.
+/// one of the faces (`face`), on the solid's side that `inside` tells. Where the ray has crossed
+/// other faces at the same place before, as at a corner, these are `others`; only trees and meshes
+/// need them, since a ray crosses a convex solid once.
 struct ShapeState {
   bool inside = false;
   bool touching = false;
   FaceId face;
+  std::span<const TouchedFace> others = {};
 };
 
 // Finds the next crossing, see `next_crossing`, unless it lies at `farthest` or beyond. For the

@@ -73,19 +73,22 @@ void set_ray(Packet& out, unsigned i, const Ray& ray, double farthest_coordinate
 }
 
 constexpr std::size_t kWidest = 16;
-constexpr int kMostPassed = 1000;
 
+/// Traces the first `count` of the query's rays. The mask alone does not keep the other lanes out:
+/// Embree ignores it where it has to trace a packet in narrower pieces, since the processor (or the
+/// device's configuration) has no registers of that width. An interval that ends before it begins
+/// does, and so no callback asks for the state of a ray that is not there.
 template <class Packet, std::size_t Width>
 void trace_packet(RTCScene scene, Query& query, std::size_t count) {
+  constexpr float kNowhere = -1.0f;
   alignas(64) std::array<int, Width> valid{};
   alignas(64) Packet packet;
+  const float tfar = rounded_up(query.distance);
   for (std::size_t i = 0; i < Width; ++i) {
-    valid[i] = i < count ? -1 : 0;
-    const Ray& ray = query.states[i < count ? i : 0].ray;
-    // Embree ignores `valid` where the processor has no packets of this width: an interval that
-    // ends before it begins leaves a lane out everywhere.
-    const float tfar = i < count ? rounded_up(query.distance) : -1.0f;
-    set_ray(packet.ray, static_cast<unsigned>(i), ray, query.farthest_coordinate, tfar);
+    const bool used = i < count;
+    valid[i] = used ? -1 : 0;
+    set_ray(packet.ray, static_cast<unsigned>(i), query.states[used ? i : 0].ray,
+            query.farthest_coordinate, used ? tfar : kNowhere);
     packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
@@ -121,7 +124,7 @@ struct World::Impl {
   embree::Device device;
   embree::Scene scene;
 
-  Impl(const std::vector<PlacedShape>& placed, double farthest_origin);
+  Impl(const std::vector<PlacedShape>& placed, double farthest_origin, const char* embree_config);
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
@@ -131,16 +134,18 @@ struct World::Impl {
     embree::init(query.context);
     return query;
   }
-  [[nodiscard]] NearestCandidates nearest(const RayState& state, double distance) const;
-  void find_closest(const RayState& state, double distance, Hit& hit) const;
+  [[nodiscard]] NearestCandidates nearest(const RayState& state, double distance,
+                                          const Passage* passage) const;
+  void find_closest(const RayState& state, double distance, Passage* passage, Hit& hit) const;
   void find_visible(const RayState& start, const NearestCandidates& nearest, double distance,
-                    Hit& hit) const;
-  void go_on_behind(const RayState& start, double distance, Hit& hit) const;
+                    Passage* passage, Hit& hit) const;
+  void go_on_behind(const RayState& start, double distance, Passage& passage, Hit& hit) const;
 };
 
-World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_origin)
+World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_origin,
+                  const char* embree_config)
     : shapes(flattened(placed)), table(shapes), farthest_coordinate(farthest_origin),
-      device(rtcNewDevice(nullptr)) {
+      device(rtcNewDevice(embree_config)) {
   if (!device) throw std::runtime_error("Embree: cannot make a device");
   rtcSetDeviceErrorFunction(
       device.get(),
@@ -162,39 +167,41 @@ World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_origin
   if (!error.empty()) throw std::runtime_error("Embree: " + error);
 }
 
-NearestCandidates World::Impl::nearest(const RayState& state, double distance) const {
+NearestCandidates World::Impl::nearest(const RayState& state, double distance,
+                                       const Passage* passage) const {
   NearestCandidates found;
   Query query = query_for(&state, &found, distance);
+  query.passage = passage;
   trace_single(scene.get(), query);
   return found;
 }
 
-void World::Impl::find_closest(const RayState& state, double distance, Hit& hit) const {
-  find_visible(state, nearest(state, distance), distance, hit);
+void World::Impl::find_closest(const RayState& state, double distance, Passage* passage,
+                               Hit& hit) const {
+  find_visible(state, nearest(state, distance, passage), distance, passage, hit);
 }
 
 /// Turns the nearest candidates into what is visible.
 void World::Impl::find_visible(const RayState& start, const NearestCandidates& nearest,
-                               double distance, Hit& hit) const {
-  if (nearest.empty())
+                               double distance, Passage* passage, Hit& hit) const {
+  if (nearest.empty()) {
     hit.shape = {};
-  else if (!resolve(table, start, nearest.boundary(), hit))
-    go_on_behind(start, distance, hit);
+  } else if (!resolve(table, start, nearest.boundary(), hit)) {
+    Passage own;
+    go_on_behind(start, distance, passage ? *passage : own, hit);
+  }
 }
 
-/// Goes on behind `hit`, which does not show, to the first boundary that does. After very many,
-/// which only rounding among many touching faces could make, it takes one that does not: a ray goes
-/// through it unchanged, since the media on its sides are equal.
-void World::Impl::go_on_behind(const RayState& start, double distance, Hit& hit) const {
+/// Goes on behind `hit`, which does not show, to the first boundary that does, or to one behind
+/// which no way leads on.
+void World::Impl::go_on_behind(const RayState& start, double distance, Passage& passage,
+                               Hit& hit) const {
   RayState state = start;
   double travelled = 0.0;
   bool visible = false;
-  for (int passed_count = 0; !visible && passed_count < kMostPassed; ++passed_count) {
+  while (!visible && passage.go_through(hit, state)) {
     travelled += hit.t;
-    state.ray.origin = hit.point;
-    state.contacts = hit.other_side;
-    state.nesting = hit.nesting_after;
-    const NearestCandidates next = nearest(state, distance - travelled);
+    const NearestCandidates next = nearest(state, distance - travelled, &passage);
     if (next.empty()) {
       hit.shape = {};
       return;
@@ -204,8 +211,9 @@ void World::Impl::go_on_behind(const RayState& start, double distance, Hit& hit)
   hit.t += travelled;
 }
 
-World::World(const std::vector<PlacedShape>& shapes, double farthest_coordinate)
-    : impl_(std::make_unique<Impl>(shapes, farthest_coordinate)) {}
+World::World(const std::vector<PlacedShape>& shapes, double farthest_coordinate,
+             const char* embree_config)
+    : impl_(std::make_unique<Impl>(shapes, farthest_coordinate, embree_config)) {}
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
@@ -217,7 +225,11 @@ std::optional<Hit> World::closest(const RayState& state) const {
 }
 
 void World::find_closest(const RayState& state, Hit& hit) const {
-  impl_->find_closest(state, kInfinity, hit);
+  impl_->find_closest(state, kInfinity, nullptr, hit);
+}
+
+void World::find_closest(const RayState& state, double distance, Passage& passage, Hit& hit) const {
+  impl_->find_closest(state, distance, &passage, hit);
 }
 
 void World::find_closest(std::span<const RayState> states, std::span<Hit> hits,
@@ -238,7 +250,7 @@ void World::find_closest(std::span<const RayState> states, std::span<Hit> hits,
     else
       trace_packet<RTCRayHit16, 16>(impl_->scene.get(), query, count);
     for (std::size_t i = 0; i < count; ++i)
-      impl_->find_visible(states[begin + i], nearest[i], kInfinity, hits[begin + i]);
+      impl_->find_visible(states[begin + i], nearest[i], kInfinity, nullptr, hits[begin + i]);
   }
 }
 
@@ -253,7 +265,7 @@ bool World::occluded(const RayState& state, double distance) const {
   if (ray.tfar < 0.0f) return true;
   if (!query.met_glass) return false;
   Hit hit;
-  impl_->find_closest(state, distance, hit);
+  impl_->find_closest(state, distance, nullptr, hit);
   return hit.met();
 }
 
@@ -295,7 +307,7 @@ std::size_t World::replay_occluded(std::span<const RayState> states,
 
 Nesting World::nesting_at(const dvec3& point) const {
   Nesting nesting;
-  for (std::size_t i = 0; i < impl_->shapes.size() && !nesting.full(); ++i)
+  for (std::size_t i = 0; i < impl_->shapes.size(); ++i)
     if (contains(impl_->shapes[i], point)) nesting.push_back({static_cast<std::int32_t>(i)});
   return nesting;
 }

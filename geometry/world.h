@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/passage.h"
 #include "geometry/ray_state.h"
 #include "geometry/shape.h"
 
@@ -20,9 +21,11 @@ enum class Tracing : std::uint8_t { single, packets };
 class World {
 public:
   /// `farthest_coordinate` is the largest magnitude of a coordinate from which rays start outside
-  /// the shapes (cameras, lamps); bounds are padded for it. Throws std::runtime_error when Embree
-  /// fails.
-  World(const std::vector<PlacedShape>& shapes, double farthest_coordinate);
+  /// the shapes (cameras, lamps); bounds are padded for it. `embree_config` is what rtcNewDevice
+  /// takes, such as "isa=sse4.2" for a narrow instruction set; null for Embree's own choice. Throws
+  /// std::runtime_error when Embree fails.
+  World(const std::vector<PlacedShape>& shapes, double farthest_coordinate,
+        const char* embree_config = nullptr);
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
@@ -32,6 +35,10 @@ public:
   [[nodiscard]] std::optional<Hit> closest(const RayState& state) const;
   /// The same, written where it stays: a copy would cost a good part of the query.
   void find_closest(const RayState& state, Hit& hit) const;
+  /// The same of boundaries that are surely nearer than `distance`, for a ray that is followed
+  /// straight on. One that rounding cannot tell from the end of the way does not count, as for
+  /// `occluded`.
+  void find_closest(const RayState& state, double distance, Passage& passage, Hit& hit) const;
   /// The same for rays that run close together; `hits` has the length of `states`.
   void find_closest(std::span<const RayState> states, std::span<Hit> hits, Tracing tracing) const;
 

@@ -33,9 +33,22 @@ const SurfaceContact* contact_with(ShapeId id, const Contacts& contacts) {
   return nullptr;
 }
 
-/// What a ray meets next of a shape; it need not be found at `farthest` or beyond.
+/// A ray may cross a convex solid once, and a flat shape: their first contact says all.
 template <class S>
-bool find_crossing(const Primitive& primitive, const RayState& state, double farthest,
+constexpr bool kCrossedOften = std::is_same_v<S, CsgTree> || std::is_same_v<S, Mesh>;
+
+using TouchedFaces = ShortVector<TouchedFace, 4>;
+
+/// The faces of a shape that the ray has crossed where it is.
+void add_crossed(ShapeId shape, const Passage& passage, TouchedFaces& faces) {
+  for (const SurfaceContact& contact : passage.crossed())
+    if (contact.shape == shape) faces.push_back({contact.face, contact.side == Side::inside});
+}
+
+/// What a ray of the query meets next of a shape; it need not be found at the query's distance or
+/// beyond.
+template <class S>
+bool find_crossing(const Query& query, const Primitive& primitive, const RayState& state,
                    ShapeCrossing& found) {
   const S& shape = *std::get_if<S>(&primitive.placed->shape);
   ShapeState known;
@@ -51,8 +64,14 @@ bool find_crossing(const Primitive& primitive, const RayState& state, double far
     }
     known = {!outside, true, contact->face};
   }
+  [[maybe_unused]] std::conditional_t<kCrossedOften<S>, TouchedFaces, std::monostate> crossed;
+  if constexpr (kCrossedOften<S>)
+    if (query.passage && !query.passage->crossed().empty()) {
+      add_crossed(primitive.id, *query.passage, crossed);
+      known.others = {crossed.begin(), crossed.size()};
+    }
   if constexpr (FlatShape<S> || PlaneFaced<S> || std::is_same_v<S, Sphere>) {
-    return find_next(shape, primitive.frame.see(state.ray), known, farthest, found);
+    return find_next(shape, primitive.frame.see(state.ray), known, query.distance, found);
   } else {
     const auto next = next_crossing(shape, ray_for<S>(primitive, state.ray), known);
     if (next) found = *next;
@@ -74,7 +93,7 @@ void intersect_callback(const RTCIntersectFunctionNArguments* args) noexcept {
     if (args->valid[i] != -1) continue;
     const unsigned ray = RTCRayN_id(rays, args->N, i);
     ShapeCrossing found;
-    if (!find_crossing<S>(primitive, query.states[ray], query.distance, found)) continue;
+    if (!find_crossing<S>(query, primitive, query.states[ray], found)) continue;
     if (!surely_nearer(found, query.distance)) continue;
     if (!query.found[ray].offer(primitive.id, found)) continue;
     float& tfar = RTCRayN_tfar(rays, args->N, i);
@@ -91,7 +110,7 @@ void occluded_callback(const RTCOccludedFunctionNArguments* args) noexcept {
     if (args->valid[i] != -1) continue;
     const RayState& state = query.states[RTCRayN_id(args->ray, args->N, i)];
     ShapeCrossing found;
-    if (!find_crossing<S>(primitive, state, query.distance, found)) continue;
+    if (!find_crossing<S>(query, primitive, state, found)) continue;
     if (!surely_nearer(found, query.distance)) continue;
     if (query.glass_may_hide && primitive.glass)
       query.met_glass = true;

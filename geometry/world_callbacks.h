@@ -2,6 +2,7 @@
 
 #include "geometry/boundary.h"
 #include "geometry/frame.h"
+#include "geometry/passage.h"
 #include "geometry/world_embree.h"
 
 #include <array>
@@ -42,6 +43,7 @@ struct Query {
   double distance = kInfinity;        ///< only what is surely nearer counts
   bool glass_may_hide = false; ///< for occlusion: glass is no answer, only noted in `met_glass`
   bool met_glass = false;
+  const Passage* passage = nullptr; ///< of a ray that is followed straight on
 };
 
 /// A float not less than `value`.

@@ -2,6 +2,7 @@
 
 #include "core/bands/band_range.h"
 #include "core/bundles/ray_record.h"
+#include "geometry/passage.h"
 #include "geometry/ray_state.h"
 
 #include <cstddef>
@@ -15,6 +16,8 @@ struct Bundle {
   RayKind kind = RayKind::camera; ///< what sent the ray
   bool traced = false;            ///< whether `hit` is known already, see extend.h
   Hit hit;                        ///< what the ray meets next
+  bool straight_on = false;       ///< the ray goes on behind a boundary that bends no light
+  Passage passage;                ///< what it must remember of such boundaries, where it does
   int depth = 0;                  ///< how many surfaces the path has met so far
   int panes = 0;                  ///< how many panes it went straight through, which do not count
   double path_length = 0.0;       ///< from the camera to the ray's origin
@@ -58,6 +61,7 @@ inline void set_off(const Bundle& bundle, const dvec3& direction, bool through, 
   next.state.nesting = through ? hit.nesting_after : hit.nesting_before;
   next.kind = kind;
   next.traced = false;
+  next.straight_on = false;
 }
 
 /// One of the bundles that a camera sample starts with. Its ray, and what that meets, lie beside
@@ -82,6 +86,7 @@ struct CameraPaths {
     bundle.state = states[i];
     bundle.kind = RayKind::camera;
     bundle.traced = true;
+    bundle.straight_on = false;
     bundle.hit = hits[i];
     bundle.depth = bundle.panes = 0;
     bundle.path_length = bundle.unseen_length = bundle.pdf = 0.0;

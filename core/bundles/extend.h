@@ -15,7 +15,10 @@ namespace abbe {
 /// Finds what the bundle's ray meets next, unless that is known.
 inline void extend(Bundle& bundle, const World& world, RayCounts& counts) {
   if (bundle.traced) return;
-  world.find_closest(bundle.state, bundle.hit);
+  if (bundle.straight_on)
+    world.find_closest(bundle.state, kInfinity, bundle.passage, bundle.hit);
+  else
+    world.find_closest(bundle.state, bundle.hit);
   counts.add(bundle.kind, bundle.state);
   bundle.traced = true;
 }

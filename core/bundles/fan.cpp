@@ -266,6 +266,7 @@ void go_on_as(const FanCell& cell, const Bundle& bundle, Bundle& next) {
   next.state = *cell.state;
   next.kind = RayKind::refracted;
   next.traced = cell.hit != nullptr;
+  next.straight_on = false;
   next.depth = bundle.depth + 1;
   next.unseen_length = 0.0;
   next.pdf = 0.0;

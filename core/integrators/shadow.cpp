@@ -32,16 +32,16 @@ const float* ShadowRays::along(const RayState& way, double distance, int first, 
 bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
                            PathWavelengths& wavelengths, RayCounts& counts) {
   Hit hit;
+  Passage passage;
   for (;;) {
     counts.add(RayKind::shadow, state);
-    world_.find_closest(state, hit);
-    const double way = hit.met() ? std::min(hit.t, distance) : distance;
+    // Of what lies at the end of the way nothing counts: rounding must not decide whether it does.
+    world_.find_closest(state, distance, passage, hit);
+    const double way = hit.met() ? hit.t : distance;
     const MediumId medium = hit.met() ? hit.medium_before : world_.medium_of(state.nesting);
     absorb(plan_.medium(medium), way, {transmittance_.data(), {first, last}});
-    if (!hit.met() || hit.t >= distance) return true;
+    if (!hit.met()) return true;
     const MaterialPlan& material = plan_.materials[hit.material.index()];
-    // The way may end on a lamp that glows; whether it does, rounding must not decide.
-    if (material.emission_source >= 0 && !world_.occluded(state, distance)) return true;
     if (!plan_.unseen(hit)) {
       const BsdfFacts facts = material.facts();
       // The path tracer finds what comes through rough glass by scattering.
@@ -52,9 +52,7 @@ bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
       pass(material, hit, cos_i, first, last, wavelengths, transmittance_);
       if (refracts) through_glass_ = true;
     }
-    state.ray.origin = hit.point;
-    state.contacts = hit.other_side;
-    state.nesting = hit.nesting_after;
+    if (!passage.go_through(hit, state)) return false;
     distance -= hit.t;
   }
 }

@@ -4,14 +4,15 @@ namespace abbe {
 
 void pass_unseen_boundary(Bundle& bundle) {
   const Hit& hit = bundle.hit;
-  bundle.state.ray.origin = hit.point;
-  bundle.state.contacts = hit.other_side;
-  bundle.state.nesting = hit.nesting_after;
+  if (!bundle.straight_on) bundle.passage = {};
+  bundle.straight_on = true;
   bundle.unseen_length += hit.t;
   bundle.path_length += hit.t;
   bundle.separation += bundle.divergence * hit.t;
   bundle.kind = RayKind::refracted;
-  bundle.traced = false;
+  // Where no way leads on, the ray meets nothing.
+  bundle.traced = !bundle.passage.go_through(hit, bundle.state);
+  if (bundle.traced) bundle.hit.shape = {};
 }
 
 } // namespace abbe

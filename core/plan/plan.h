@@ -102,9 +102,9 @@ struct Plan {
   /// True for a boundary between air and drops, or drops and other drops, that is not to be seen.
   [[nodiscard]] bool unseen(const Hit& hit) const {
     if (!has_drops) return false;
-    const auto airy = [this](MediumId id) { return !id.valid() || media[id.index()].drops; };
-    return materials[hit.material.index()].clear && airy(hit.medium_before) &&
-           airy(hit.medium_after);
+    const auto is_air = [this](MediumId id) { return !id.valid() || media[id.index()].drops; };
+    return materials[hit.material.index()].clear && is_air(hit.medium_before) &&
+           is_air(hit.medium_after);
   }
 
   /// False when whatever lies between two places either stops all light or none.

@@ -57,6 +57,7 @@ void plan_caustics(const Scene& scene, Plan& plan) {
 } // namespace
 
 Plan make_plan(const Scene& scene, const RenderSettings& settings) {
+  check_extent(scene);
   Plan plan;
   plan.settings = settings;
   if (settings.shadows == ShadowRule::automatic)

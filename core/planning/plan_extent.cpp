@@ -3,14 +3,44 @@
 #include "core/cameras/placed_camera.h"
 #include "core/lights/light_kinds.h"
 #include "core/lights/scene_extent.h"
+#include "core/scene/user_error.h"
 #include "spectral/observer.h"
 
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace abbe {
+namespace {
+
+/// Where shapes, lights and cameras may be. Bounds are padded by 2^-20 of the farthest coordinate,
+/// which must neither reach Embree's limit of 1.8e18 nor vanish in single precision (1.2e-38).
+constexpr double kFarthest = 1e17, kLeastExtent = 1e-30;
+
+double largest(const dvec3& p) {
+  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+}
+
+/// The largest coordinate of a shape; of an endless plane that of its point next to the origin.
+double reach_of(const PlacedShape& placed) {
+  if (is_bounded(placed.shape)) return bounds(placed).largest_coordinate();
+  const dvec3 normal = placed.to_world.normal({0.0, 0.0, 1.0});
+  return std::abs(glm::dot(normal, placed.to_world.offset()));
+}
+
+void check_reach(double reach, const std::string& what) {
+  if (!(reach <= kFarthest)) // nor is what is no number
+    throw UserError(fmt::format(
+        "{} is too far off: it reaches {:.3g} units from the origin, and rays can be followed to "
+        "{:.0e}. Bring it nearer, or measure in larger units",
+        what, reach, kFarthest));
+}
+
+} // namespace
+
 double film_quantum(const Scene& scene, const BandGrid& grid, Observer observer) {
   const auto brightness = [&](const Curve& spectrum) { // a line at the eye's limits has little Y
     const auto means = band_means(grid, spectrum);
@@ -29,6 +59,21 @@ double film_quantum(const Scene& scene, const BandGrid& grid, Observer observer)
   for (const Material& material : scene.materials)
     brightest = std::max(brightest, brightness(material.emission));
   return brightest > 0.0 ? std::ldexp(1.0, std::ilogb(brightest) - 36) : 1.0;
+}
+
+void check_extent(const Scene& scene) {
+  check_reach(largest(scene.camera.eye), "the camera's eye");
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    if (const auto position = position(scene.lights[i]))
+      check_reach(largest(*position), fmt::format("light number {}", i + 1));
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+    check_reach(reach_of(scene.shapes[i]), fmt::format("shape number {}", i + 1));
+  const double farthest = farthest_coordinate(scene);
+  if (!scene.shapes.empty() && farthest < kLeastExtent)
+    throw UserError(fmt::format(
+        "the whole scene, camera and all, lies within {:.3g} units of the origin: distances can be "
+        "told apart from {:.0e} on. Measure in smaller units",
+        farthest, kLeastExtent));
 }
 
 double farthest_coordinate(const Scene& scene) {

@@ -10,6 +10,11 @@ namespace abbe {
 /// scene's size. Sums then hold 2^27 times the brightest source.
 [[nodiscard]] double film_quantum(const Scene& scene, const BandGrid& grid, Observer observer);
 
+/// Throws UserError, with the name of what is too far, unless the camera, all lights and
+/// all shapes have coordinates of 1e17 at most and some of them has one of 1e-30. Embree drops what
+/// reaches beyond 1.8e18 or is too small for single precision, and rays would meet nothing.
+void check_extent(const Scene& scene);
+
 /// The largest magnitude of a coordinate at which the scene has a shape, a light or its camera.
 [[nodiscard]] double farthest_coordinate(const Scene& scene);
 

@@ -16,7 +16,8 @@ namespace {
 std::vector<Interval> line(const CsgTree& tree, const dvec3& origin, const dvec3& direction,
                            const CsgContact* contact = nullptr) {
   std::vector<Interval> found;
-  intersect(tree, {origin, direction}, contact, found);
+  const std::span<const CsgContact> contacts(contact, contact ? 1u : 0u);
+  intersect(tree, {origin, direction}, contacts, found);
   return found;
 }
 

@@ -1,0 +1,45 @@
+#include "core/planning/plan_extent.h"
+#include "tests/catch.h"
+
+using namespace abbe;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+Scene with_ball(double scale, const dvec3& place = dvec3(0.0)) {
+  Scene scene;
+  scene.shapes.push_back(
+      {Sphere{}, Transform::translation(place).after(Transform::scaling(dvec3(scale))), {}, {}, 0});
+  return scene;
+}
+
+} // namespace
+
+TEST_CASE("what is too far off for rays is refused by name") {
+  CHECK_NOTHROW(check_extent(with_ball(1.0)));
+  CHECK_NOTHROW(check_extent(with_ball(0.9e17)));
+  CHECK_THROWS_WITH(check_extent(with_ball(1e19)), ContainsSubstring("shape number 1 is too far"));
+  CHECK_THROWS_WITH(check_extent(with_ball(1.0, {1e30, 0, 0})),
+                    ContainsSubstring("shape number 1"));
+
+  Scene eye = with_ball(1.0);
+  eye.camera.eye = {1e160, 0.0, 1e160};
+  CHECK_THROWS_WITH(check_extent(eye), ContainsSubstring("the camera's eye is too far"));
+
+  Scene lamp = with_ball(1.0);
+  lamp.lights.emplace_back().emitter = PointLight{{0.0, 1e40, 1e40}};
+  CHECK_THROWS_WITH(check_extent(lamp), ContainsSubstring("light number 1 is too far"));
+
+  Scene plane;
+  plane.shapes.push_back({Plane{}, Transform::translation({1e30, 0.0, -1e10}), {}, {}, 0});
+  CHECK_NOTHROW(check_extent(plane)); // it passes the origin at 1e10
+  plane.shapes[0].to_world = Transform::translation({0.0, 0.0, -1e30});
+  CHECK_THROWS_WITH(check_extent(plane), ContainsSubstring("shape number 1"));
+}
+
+TEST_CASE("a scene too small for single precision is refused") {
+  Scene scene = with_ball(1e-40);
+  CHECK_NOTHROW(check_extent(scene)); // the camera is 5 away
+  scene.camera.eye = {0.0, 0.0, 5e-40};
+  CHECK_THROWS_WITH(check_extent(scene), ContainsSubstring("smaller units"));
+}
