@@ -228,6 +228,10 @@ TEST_CASE("errors of images") {
   CHECK(image_error(exr) ==
         "s.sdl:1:14: \"a.exr\" holds what is no number (a component is infinite "
         "or not a number). Write the image again");
-  CHECK_NOTHROW(require_image_size(8192, 8192));
-  REQUIRE_THROWS_WITH(require_image_size(8193, 8192), "8193 x 8192 pixels are more than 67108864");
+  CHECK_NOTHROW(require_image_memory(16384, 8192, 12));
+  REQUIRE_THROWS_WITH(
+      require_image_memory(65536, 65536, 12),
+      "its 65536 x 65536 pixels would take 48.0 GiB of memory, and 2 GiB is the most "
+      "for an image");
+  CHECK_THROWS(require_image_memory(std::uint64_t{1} << 63, std::uint64_t{1} << 63, 12));
 }
