@@ -106,6 +106,7 @@ bool write_outputs(const Rendering& rendering, const Plan& plan, const Options& 
 }
 
 int render_command(const Options& options) {
+  outlive_readers();
   const std::atomic<bool>& stop = interrupted();
   const Scene scene = read_scene(options.scene_path, print_warning);
   const std::vector<fs::path> outputs = outputs_of(options, scene);

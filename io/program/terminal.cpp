@@ -24,6 +24,9 @@ void open_standard_streams() {
       // The lowest number that is free, so this one; not for writing, so that writing fails.
       if (::open("/dev/null", O_RDONLY) < 0) return;
     }
+}
+
+void outlive_readers() {
   std::signal(SIGPIPE, SIG_IGN);
 }
 

@@ -6,8 +6,12 @@
 namespace abbe {
 
 /// Makes sure that the three standard streams are open, so that no file of ours takes the place of
-/// one that the caller has closed, and that a reader who goes away ends nothing.
+/// one that the caller has closed.
 void open_standard_streams();
+
+/// From now on a reader of our output who goes away does not end the program, whose work would be
+/// lost.
+void outlive_readers();
 
 /// Tells a line on standard output. What cannot be said is left unsaid; see `all_was_said`.
 void say(std::string_view line);

@@ -222,8 +222,8 @@ TEST_CASE("errors of images") {
   CHECK_THAT(image_error(exr), Catch::Matchers::ContainsSubstring("\"a.exr\" cannot be read ("));
   save_exr(exr, "RG", {});
   CHECK(image_error(exr) ==
-        "s.sdl:1:14: \"a.exr\" cannot be read (it has no full channels R, G and "
-        "B). Write the image again, as PNG or EXR");
+        "s.sdl:1:14: \"a.exr\" cannot be read (it has neither full channels R, G "
+        "and B nor a full channel Y). Write the image again, as PNG or EXR");
   save_exr(exr, "RGB", {0.0f, std::numeric_limits<float>::quiet_NaN(), 0.0f});
   CHECK(image_error(exr) ==
         "s.sdl:1:14: \"a.exr\" holds what is no number (a component is infinite "
