@@ -32,7 +32,7 @@ struct Target {
 /// Throws for what is no regular file and for a file that nobody may write to.
 Target find_target(const fs::path& name) {
   if (name.filename().empty()) throw std::runtime_error("the name of the file is missing");
-  struct stat status {};
+  struct stat status{};
   if (::lstat(name.c_str(), &status) != 0) {
     if (errno == ENOENT) return {name, std::nullopt};
     throw_errno();

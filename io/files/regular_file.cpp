@@ -29,7 +29,7 @@ public:
   explicit OpenFile(const std::filesystem::path& path)
       // Without O_NONBLOCK, opening a pipe waits until somebody writes into it.
       : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {
-    struct stat status {};
+    struct stat status{};
     if (file_ < 0 && ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
       throw std::runtime_error(kind_of(status.st_mode)); // a socket cannot even be opened
     if (file_ < 0) throw_errno();

@@ -182,7 +182,9 @@ TEST_CASE("a picture that declares more than memory may hold is refused by its h
   Imf::Header header(60000, 60000);
   for (const char* name : {"R", "G", "B"})
     header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-  { const Imf::OutputFile file((pictures.folder.path / "vast.exr").c_str(), header); }
+  {
+    const Imf::OutputFile file((pictures.folder.path / "vast.exr").c_str(), header);
+  }
   CHECK(pictures.error("environment vast.exr") ==
         "s.sdl:1:13: \"vast.exr\" cannot be read (its 60000 x 60000 pixels would take 40.2 GiB of "
         "memory, and 2 GiB is the most for an image). Write the picture again, as OpenEXR");

@@ -4,6 +4,7 @@
 #include "tests/catch.h"
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <optional>
@@ -22,7 +23,8 @@ const std::string kTetrahedronPly =
 
 /// A scene and a mesh in a folder of their own, removed at the end.
 struct Folder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / "abbe_mesh_test";
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("abbe_mesh_test." + std::to_string(::getpid()));
   std::vector<std::string> warnings;
 
   Folder() {

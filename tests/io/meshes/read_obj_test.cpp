@@ -47,8 +47,8 @@ std::string written(std::mt19937_64& random, double value) {
   }
   if (random() % 2 == 0 && text.starts_with("0.")) text.erase(0, 1);
   if (random() % 2 == 0 && text.starts_with("-0.")) text.erase(1, 1);
-  if (text[0] != '-' && random() % 4 == 0) text.insert(0, "+");
-  return text;
+  const bool plus = text[0] != '-' && random() % 4 == 0;
+  return (plus ? "+" : "") + text;
 }
 
 std::string corner(std::mt19937_64& random, std::int32_t number, std::size_t vertices) {
