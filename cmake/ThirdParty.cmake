@@ -13,7 +13,6 @@ find_package(TIFF REQUIRED)
 find_package(PNG REQUIRED)
 find_package(fmt CONFIG REQUIRED)
 find_package(CLI11 CONFIG REQUIRED)
-find_package(assimp CONFIG REQUIRED)
 find_package(nlohmann_json CONFIG REQUIRED)
 
 find_path(LCMS2_INCLUDE_DIR lcms2.h REQUIRED)

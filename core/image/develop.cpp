@@ -72,8 +72,8 @@ DisplayImage develop_display(const Film& film, const Plan& plan, const DisplaySe
     image.metadata.push_back(std::move(entry));
   const DisplayTransform transform(settings, plan.settings.observer);
   for_each_pixel(film.window(), [&](int x, int y) {
-    const LinearRgb c = transform.linear(film.color(x, y));
-    const DisplayRgb e = transform.encoded(c);
+    const LinearRgb c = transform.unclipped(film.color(x, y));
+    const DisplayRgb e = transform.encoded(transform.linear(film.color(x, y)));
     for (const double v : {c.r, c.g, c.b})
       image.linear.push_back(static_cast<float>(v));
     for (const double v : {e.r, e.g, e.b})

@@ -22,9 +22,13 @@ DisplayTransform::DisplayTransform(const DisplaySettings& settings, Observer obs
   }
 }
 
-LinearRgb DisplayTransform::linear(const Xyz& color) const {
+LinearRgb DisplayTransform::unclipped(const Xyz& color) const {
   const Vector3 rgb = multiply(to_rgb_, Vector3{color.x, color.y, color.z});
-  return map_to_gamut({rgb[0], rgb[1], rgb[2]}, gamut_, luminance_weights_);
+  return {rgb[0], rgb[1], rgb[2]};
+}
+
+LinearRgb DisplayTransform::linear(const Xyz& color) const {
+  return map_to_gamut(unclipped(color), gamut_, luminance_weights_);
 }
 
 DisplayRgb DisplayTransform::encoded(const LinearRgb& linear) const {

@@ -12,7 +12,9 @@ public:
   /// Throws std::invalid_argument for a white point that cannot be white.
   DisplayTransform(const DisplaySettings& settings, Observer observer);
 
-  /// Linear light of the display's primaries, in gamut.
+  /// Linear light of the display's primaries, as it is: components may be below 0 or above 1.
+  [[nodiscard]] LinearRgb unclipped(const Xyz& color) const;
+  /// The same, brought into the display's gamut.
   [[nodiscard]] LinearRgb linear(const Xyz& color) const;
   [[nodiscard]] DisplayRgb encoded(const LinearRgb& linear) const;
 

@@ -34,9 +34,9 @@ struct SceneLinearImage {
   std::vector<ImageChannel> channels = {};
 };
 
-/// Picture for a screen: exposed, brought into its gamut. Both encodings of the same pixels are
-/// kept: `encoded` has the screen's transfer function, `linear` has not. Interleaved R, G, B in
-/// [0, 1], no alpha, rows from the top of `data`.
+/// Picture for a screen, exposed. `encoded` is brought into its gamut, so within [0, 1], and has
+/// the screen's transfer function; `linear` is the light of the same primaries as it is, unclipped.
+/// Interleaved R, G, B, no alpha, rows from the top of `data`.
 struct DisplayImage {
   PixelWindow display, data;
   std::vector<float> encoded;

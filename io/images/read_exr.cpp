@@ -1,39 +1,133 @@
+#include "io/images/read_exr.h"
+
+#include "io/files/regular_file.h"
 #include "io/images/read_image.h"
+#include "spectral/adaptation.h"
+#include "spectral/color_space.h"
 
 #include <Imath/ImathBox.h>
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStringAttribute.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace abbe {
+namespace {
 
-ReflectanceImage read_exr(const std::filesystem::path& path) {
+/// Primaries and white.
+struct Space {
+  RgbPrimaries primaries;
+  Chromaticity white;
+};
+
+/// The linear spaces of colorInteropID and what colourspaces.csv calls them. (source:
+/// ColorInterop2026)
+constexpr std::array<std::pair<const char*, const char*>, 5> kInteropSpaces{{
+    {"lin_rec709_scene", "rec709"},
+    {"lin_ap1_scene", "acescg"},
+    {"lin_ap0_scene", "aces2065-1"},
+    {"lin_rec2020_scene", "rec2020"},
+    {"lin_p3d65_scene", "display-p3"},
+}};
+
+Space space_of(const char* name) {
+  const ColorSpace space = find_color_space(name).value();
+  return {space.primaries, space.white};
+}
+
+Chromaticity to_chromaticity(const Imath::V2f& c) {
+  return {c.x, c.y};
+}
+
+/// True for primaries and white of Rec. 709, to the digits in which files write them.
+bool is_rec709(const Space& space) {
+  const Space rec709 = space_of("rec709");
+  const auto near = [](const Chromaticity& a, const Chromaticity& b) {
+    return std::abs(a.x - b.x) < 1e-3 && std::abs(a.y - b.y) < 1e-3;
+  };
+  return near(space.primaries.red, rec709.primaries.red) &&
+         near(space.primaries.green, rec709.primaries.green) &&
+         near(space.primaries.blue, rec709.primaries.blue) && near(space.white, rec709.white);
+}
+
+/// What the file's tags say; nothing where there is none, or none that we know.
+std::optional<Space> tagged_space(const Imf::Header& header, std::string& unknown_tag) {
+  if (const auto* tag = header.findTypedAttribute<Imf::StringAttribute>("colorInteropID")) {
+    for (const auto& [id, name] : kInteropSpaces)
+      if (tag->value() == id) return space_of(name);
+    unknown_tag = tag->value();
+    return std::nullopt;
+  }
+  if (!Imf::hasChromaticities(header)) return std::nullopt;
+  const Imf::Chromaticities& c = Imf::chromaticities(header);
+  return Space{{to_chromaticity(c.red), to_chromaticity(c.green), to_chromaticity(c.blue)},
+               to_chromaticity(c.white)};
+}
+
+void take_to_rec709(std::vector<float>& rgb, const Space& from) {
+  const Space to = space_of("rec709");
+  const Matrix3 matrix =
+      multiply(inverse(rgb_to_xyz_matrix(to.primaries, to.white)),
+               multiply(bradford_adaptation(to_xyz(from.white, 1.0), to_xyz(to.white, 1.0)),
+                        rgb_to_xyz_matrix(from.primaries, from.white)));
+  for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) {
+    const Vector3 c = multiply(matrix, Vector3{rgb[i], rgb[i + 1], rgb[i + 2]});
+    for (std::size_t k = 0; k < 3; ++k)
+      rgb[i + k] = static_cast<float>(c[k]);
+  }
+}
+
+/// The names of the channels to read into red, green and blue.
+std::vector<const char*> color_channels(const Imf::ChannelList& channels) {
+  const auto has = [&](const char* name) {
+    const Imf::Channel* channel = channels.findChannel(name);
+    return channel != nullptr && channel->xSampling == 1 && channel->ySampling == 1;
+  };
+  if (has("R") && has("G") && has("B")) return {"R", "G", "B"};
+  if (has("Y")) return {"Y"};
+  throw std::runtime_error("it has neither full channels R, G and B nor a full channel Y");
+}
+
+} // namespace
+
+ExrPicture read_exr_picture(const std::filesystem::path& path) {
+  require_regular_file(path);
+  constexpr int kMostPixels = 65536;
+  Imf::Header::setMaxImageSize(kMostPixels, kMostPixels); // OpenEXR has a table of all rows
   Imf::InputFile file(path.c_str());
-  const Imath::Box2i window = file.header().dataWindow(); // includes its last pixel
+  const Imf::Header& header = file.header();
+  const auto channels = color_channels(header.channels());
+  const Imath::Box2i window = header.dataWindow(); // includes its last pixel
   const auto width = static_cast<std::int64_t>(window.max.x) - window.min.x + 1;
   const auto height = static_cast<std::int64_t>(window.max.y) - window.min.y + 1;
-  require_image_size(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height));
-  ReflectanceImage image{static_cast<int>(width), static_cast<int>(height), {}};
-  image.rgb.resize(3 * static_cast<std::size_t>(width * height));
-
-  constexpr std::array<const char*, 3> kNames{"R", "G", "B"};
   constexpr std::size_t kPixel = 3 * sizeof(float);
+  require_image_memory(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height),
+                       kPixel);
+  ExrPicture picture{static_cast<int>(width), static_cast<int>(height), {}, {}};
+  picture.rgb.resize(3 * static_cast<std::size_t>(width * height));
   Imf::FrameBuffer frame;
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    const Imf::Channel* channel = file.header().channels().findChannel(kNames[i]);
-    if (!channel || channel->xSampling != 1 || channel->ySampling != 1)
-      throw std::runtime_error("it has no full channels R, G and B");
-    frame.insert(kNames[i], Imf::Slice::Make(Imf::FLOAT, image.rgb.data() + i, window, kPixel,
-                                             kPixel * static_cast<std::size_t>(width)));
-  }
+  for (std::size_t i = 0; i < channels.size(); ++i)
+    frame.insert(channels[i], Imf::Slice::Make(Imf::FLOAT, picture.rgb.data() + i, window, kPixel,
+                                               kPixel * static_cast<std::size_t>(width)));
   file.setFrameBuffer(frame);
   file.readPixels(window.min.y, window.max.y);
-  return image;
+  if (channels.size() == 1) {
+    for (std::size_t i = 0; i < picture.rgb.size(); i += 3)
+      picture.rgb[i + 1] = picture.rgb[i + 2] = picture.rgb[i];
+    return picture;
+  }
+  const std::optional<Space> space = tagged_space(header, picture.unknown_tag);
+  if (space && !is_rec709(*space)) take_to_rec709(picture.rgb, *space);
+  return picture;
 }
 
 } // namespace abbe

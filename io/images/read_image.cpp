@@ -2,10 +2,11 @@
 //
 //   imageTexture tiles.png
 //
-// PNG holds sRGB codes, EXR linear sRGB.
+// PNG holds sRGB codes, EXR linear sRGB or what its tags say.
 
 #include "io/images/read_image.h"
 
+#include "io/images/read_exr.h"
 #include "io/text/read_arguments.h"
 #include "spectral/data_table.h"
 
@@ -15,13 +16,14 @@
 #include <cmath>
 #include <exception>
 #include <stdexcept>
+#include <utility>
 
 namespace abbe {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 26; // 0.8 GB
+constexpr std::uint64_t kMostBytes = std::uint64_t{2} << 30; // 16384 x 8192 pixels in EXR
 
 /// What lies beyond what a surface can reflect is clamped. Returns false for what is no number.
 bool clamp_components(ReflectanceImage& image, bool& clamped) {
@@ -39,10 +41,15 @@ fs::path image_path(const Token& name) {
   return fs::path(name.where.file).parent_path() / name.text;
 }
 
-void require_image_size(std::uint64_t width, std::uint64_t height) {
-  if (width * height > kMostTexels)
+void require_image_memory(std::uint64_t width, std::uint64_t height, std::uint64_t pixel_bytes) {
+  constexpr double kGiB = 1 << 30;
+  const double bytes =
+      static_cast<double>(width) * static_cast<double>(height) * static_cast<double>(pixel_bytes);
+  if (bytes > static_cast<double>(kMostBytes))
     throw std::runtime_error(
-        fmt::format("{} x {} pixels are more than {}", width, height, kMostTexels));
+        fmt::format("its {} x {} pixels would take {:.1f} GiB of memory, and {:g} "
+                    "GiB is the most for an image",
+                    width, height, bytes / kGiB, static_cast<double>(kMostBytes) / kGiB));
 }
 
 ReflectanceImage read_image(const Token& name, const Warn& warn) {
@@ -53,17 +60,28 @@ ReflectanceImage read_image(const Token& name, const Warn& warn) {
                     "its name ends neither in .png nor in .exr",
                     "Give a file of one of these formats");
   std::error_code error;
-  if (!fs::is_regular_file(file, error))
+  if (!fs::exists(file, error))
     throw ReadError(name.where, fmt::format("there is no file \"{}\"", file.string()),
                     "images are found relative to the file that names them",
                     "Check the name, or write the whole path");
   ReflectanceImage image;
+  std::string unknown_tag;
   try {
-    image = png ? read_png(file) : read_exr(file);
+    if (png) {
+      image = read_png(file);
+    } else {
+      ExrPicture picture = read_exr_picture(file);
+      unknown_tag = std::move(picture.unknown_tag);
+      image = {picture.width, picture.height, std::move(picture.rgb)};
+    }
   } catch (const std::exception& fault) {
     throw ReadError(name.where, fmt::format("\"{}\" cannot be read", file.string()), fault.what(),
                     "Write the image again, as PNG or EXR");
   }
+  if (!unknown_tag.empty())
+    warn(
+        fmt::format("{}: \"{}\" is tagged as \"{}\", which is not known; it is read as linear sRGB",
+                    to_string(name.where), file.string(), unknown_tag));
   bool clamped = false;
   if (!clamp_components(image, clamped))
     throw ReadError(name.where, fmt::format("\"{}\" holds what is no number", file.string()),

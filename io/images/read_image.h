@@ -11,15 +11,15 @@ namespace abbe {
 [[nodiscard]] std::filesystem::path image_path(const Token& name);
 
 /// Reads reflectances from a PNG (8 or 16 bits, taken as sRGB whatever it says; alpha is left out)
-/// or an EXR (R, G and B, taken as linear sRGB). Components beyond 0 and 1 are clamped, with a
-/// warning. Throws ReadError at the name.
+/// or an EXR (R, G and B, or Y for grey; linear sRGB unless its tags say otherwise). Components
+/// beyond 0 and 1 are clamped, with a warning. Throws ReadError at the name.
 [[nodiscard]] ReflectanceImage read_image(const Token& name, const Warn& warn);
 
-/// The two formats. Throw std::runtime_error; components are as in the file, decoded.
+/// Throws std::runtime_error; components are as in the file, decoded.
 [[nodiscard]] ReflectanceImage read_png(const std::filesystem::path& file);
-[[nodiscard]] ReflectanceImage read_exr(const std::filesystem::path& file);
 
-/// Throws std::runtime_error for an image that is too large to be meant.
-void require_image_size(std::uint64_t width, std::uint64_t height);
+/// Throws std::runtime_error for an image that would take more memory than an image may, so that
+/// nothing is allocated for what a damaged or hostile file declares.
+void require_image_memory(std::uint64_t width, std::uint64_t height, std::uint64_t pixel_bytes);
 
 } // namespace abbe

@@ -1,3 +1,4 @@
+#include "io/files/regular_file.h"
 #include "io/images/read_image.h"
 #include "spectral/transfer.h"
 
@@ -90,6 +91,7 @@ std::vector<float> decoding_table() {
 } // namespace
 
 ReflectanceImage read_png(const std::filesystem::path& path) {
+  require_regular_file(path);
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
   if (!file) throw std::system_error(errno, std::generic_category());
   PngError error;
@@ -98,7 +100,7 @@ ReflectanceImage read_png(const std::filesystem::path& path) {
     throw std::runtime_error(error.text.data());
   const std::size_t width = png_get_image_width(handles.png, handles.info);
   const std::size_t height = png_get_image_height(handles.png, handles.info);
-  require_image_size(width, height);
+  require_image_memory(width, height, 3 * (sizeof(std::uint16_t) + sizeof(float)));
   std::vector<std::uint16_t> codes(3 * width * height);
   std::vector<png_bytep> rows;
   for (std::size_t y = 0; y < height; ++y)

@@ -134,13 +134,13 @@ void save(const std::filesystem::path& target, const std::filesystem::path& temp
 /// OpenEXR deflates so many rows together; each thread takes such a block.
 constexpr int kRowsPerDeflate = 16;
 
-std::vector<Imath::half> to_half(std::span<const float> values) {
-  constexpr float largest = 65504.0f; // (2 - 2^-10) 2^15, the largest finite half (IEEE 754)
-  std::vector<Imath::half> halves;
-  halves.reserve(values.size());
-  for (const float value : values)
-    halves.emplace_back(std::isfinite(value) ? std::clamp(value, -largest, largest) : value);
-  return halves;
+/// True when each finite value is finite as a half, too. The largest finite half is (2 - 2^-10)
+/// 2^15; from the middle between it and 2^16 on, values are rounded to infinity. (source: IEEE 754)
+bool fits_half(std::span<const float> values) {
+  constexpr float first_infinite = 65520.0f;
+  return std::ranges::none_of(values, [](float value) {
+    return std::abs(value) >= first_infinite && std::isfinite(value);
+  });
 }
 
 /// `S0.380,000000nm`: intensity; decimal comma, since a dot separates layers. (source: Fichet2021)
@@ -152,7 +152,9 @@ std::string spectral_channel_name(double wavelength_nm) {
 
 } // namespace
 
-void write_exr(const std::filesystem::path& path, const SceneLinearImage& image, ExrPixel pixel) {
+ExrPixel write_exr(const std::filesystem::path& path, const SceneLinearImage& image,
+                   ExrPixel pixel) {
+  if (!fits_half(image.rgba)) pixel = ExrPixel::single;
   replace_file(path, [&](const std::filesystem::path& temporary) {
     require_pixels(image.display, image.data, image.rgba.size(), 4);
     for (const ImageChannel& channel : image.channels)
@@ -165,7 +167,9 @@ void write_exr(const std::filesystem::path& path, const SceneLinearImage& image,
       Channels channels{header, rows};
       switch (pixel) {
       case ExrPixel::half:
-        halves = to_half({image.rgba.data() + 4 * first, 4 * rows.pixel_count()});
+        halves.assign(image.rgba.begin() + static_cast<std::ptrdiff_t>(4 * first),
+                      image.rgba.begin() + static_cast<std::ptrdiff_t>(4 * first) +
+                          static_cast<std::ptrdiff_t>(4 * rows.pixel_count()));
         channels.add_rgba(halves.data());
         break;
       case ExrPixel::single:
@@ -178,6 +182,7 @@ void write_exr(const std::filesystem::path& path, const SceneLinearImage& image,
     };
     save(path, temporary, header, image.data, kRowsPerDeflate, channels_of);
   });
+  return pixel;
 }
 
 void write_spectral_exr(const std::filesystem::path& path, const PixelWindow& data,

@@ -7,16 +7,18 @@
 
 namespace abbe {
 
-/// Type of the channels in the file. `half`: 16 bits, rounded to nearest even; finite values beyond
-/// its range become +-65504 instead of infinity. `single`: 32 bits, as computed.
+/// Type of the channels in the file. `half`: 16 bits, rounded to nearest even. `single`: 32 bits,
+/// as computed.
 enum class ExrPixel { half, single };
 
 /// Writes channels R, G, B, A with the `colorInteropID` of its space ("lin_rec709_scene"), data
 /// window inside display window for a crop, the metadata as string attributes, and the picture's
 /// further channels in 32 bits (half floats count exactly to 2048 only). Values are
-/// neither clipped nor exposed; NaN and infinity are written as they are. Errors:
-/// `std::runtime_error`, see `replace_file`; the old file is kept.
-void write_exr(const std::filesystem::path& path, const SceneLinearImage& image, ExrPixel pixel);
+/// neither clipped nor exposed; NaN and infinity are written as they are. Where a finite value is
+/// beyond the range of half floats, R, G, B and A are written as floats. Returns the type that they
+/// were written in. Errors: `std::runtime_error`, see `replace_file`; the old file is kept.
+ExrPixel write_exr(const std::filesystem::path& path, const SceneLinearImage& image,
+                   ExrPixel pixel);
 
 /// Writes all bands in the "OpenEXR Layout for Spectral Images" 1.0: 32-bit channels
 /// `S0.<centre>nm` and a preview in R, G, B and A. (source: Fichet2021)

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace abbe {
@@ -16,23 +17,30 @@ namespace {
 struct OutputFormat {
   std::string_view extension; ///< lower case, with its dot
   bool scene_linear;          ///< which of the two pictures it takes
-  void (*write)(const std::filesystem::path&, const SceneLinearImage&, const DisplayImage&,
-                const OutputOptions&);
+  std::string (*write)(const std::filesystem::path&, const SceneLinearImage&, const DisplayImage&,
+                       const OutputOptions&);
 };
 
-void write_as_exr(const std::filesystem::path& path, const SceneLinearImage& scene_linear,
-                  const DisplayImage&, const OutputOptions& options) {
-  write_exr(path, scene_linear, options.exr_pixel);
+std::string write_as_exr(const std::filesystem::path& path, const SceneLinearImage& scene_linear,
+                         const DisplayImage&, const OutputOptions& options) {
+  const ExrPixel written = write_exr(path, scene_linear, options.exr_pixel);
+  if (written == options.exr_pixel) return "";
+  return fmt::format(
+      "{}: written with 32 bits a channel, since values are beyond the range of half "
+      "floats (65504)",
+      path.string());
 }
 
-void write_as_tiff(const std::filesystem::path& path, const SceneLinearImage&,
-                   const DisplayImage& display, const OutputOptions& options) {
+std::string write_as_tiff(const std::filesystem::path& path, const SceneLinearImage&,
+                          const DisplayImage& display, const OutputOptions& options) {
   write_tiff(path, display, options.tiff_depth);
+  return "";
 }
 
-void write_as_png(const std::filesystem::path& path, const SceneLinearImage&,
-                  const DisplayImage& display, const OutputOptions& options) {
+std::string write_as_png(const std::filesystem::path& path, const SceneLinearImage&,
+                         const DisplayImage& display, const OutputOptions& options) {
   write_png(path, display, options.png_bits);
+  return "";
 }
 
 // Each writer goes through replace_file itself, so that none can be called without it.
@@ -72,15 +80,15 @@ std::string known_image_extensions() {
   return list;
 }
 
-void write_image(const std::filesystem::path& path, const SceneLinearImage& scene_linear,
-                 const DisplayImage& display, const OutputOptions& options) {
+std::string write_image(const std::filesystem::path& path, const SceneLinearImage& scene_linear,
+                        const DisplayImage& display, const OutputOptions& options) {
   const OutputFormat* format = find_format(path);
   if (format == nullptr)
     throw std::runtime_error(fmt::format("cannot write {}: unknown image extension \"{}\" ({} "
                                          "would be right)",
                                          path.string(), path.extension().string(),
                                          known_image_extensions()));
-  format->write(path, scene_linear, display, options);
+  return format->write(path, scene_linear, display, options);
 }
 
 } // namespace abbe

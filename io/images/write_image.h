@@ -29,9 +29,10 @@ struct OutputOptions {
 
 /// Writes the picture in the format that the extension of the path names: the scene-linear one as
 /// EXR, the one for a screen as TIFF or PNG. The file appears under its name when it is complete.
+/// Returns what the user should know of it, which is mostly nothing.
 /// Errors: `std::runtime_error` for an unknown extension (it lists the known ones) and for all that
 /// `replace_file` reports.
-void write_image(const std::filesystem::path& path, const SceneLinearImage& scene_linear,
-                 const DisplayImage& display, const OutputOptions& options);
+std::string write_image(const std::filesystem::path& path, const SceneLinearImage& scene_linear,
+                        const DisplayImage& display, const OutputOptions& options);
 
 } // namespace abbe

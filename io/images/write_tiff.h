@@ -7,7 +7,8 @@
 namespace abbe {
 
 /// `bits8`, `bits16`: unsigned integers with the display's transfer function. `float32`: IEEE
-/// floats, linear (many programs take a float TIFF for linear whatever its profile says).
+/// floats, linear (many programs take a float TIFF for linear whatever its profile says) and
+/// neither clipped nor brought into the display's gamut.
 enum class TiffDepth { bits8, bits16, float32 };
 
 /// Writes R, G, B with the matching ICC profile, deflated without loss; no alpha, no date, no host.

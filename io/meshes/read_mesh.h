@@ -14,7 +14,7 @@ using MeshFiles = std::map<std::filesystem::path, Mesh>;
 /// Reads the triangles of an OBJ or PLY file, which is found from the folder of the file that names
 /// it. Polygons are cut into triangles; normals, colours and materials are left out. A
 /// file is read once: the mesh shares its triangles with those that came from the file before.
-/// Throws ReadError at the name.
-[[nodiscard]] Mesh read_mesh(Arguments& arguments, MeshFiles& files);
+/// Throws ReadError at the name, or at the place in the file, which then tells the name's too.
+[[nodiscard]] Mesh read_mesh(Arguments& arguments, MeshFiles& files, const Warn& warn);
 
 } // namespace abbe

@@ -3,21 +3,24 @@
 #include "core/planning/plan_extent.h"
 #include "core/render/render.h"
 #include "core/scene/user_error.h"
+#include "io/files/atomic_file.h"
 #include "io/images/write_exr.h"
 #include "io/images/write_image.h"
 #include "io/program/command_line.h"
 #include "io/program/interrupt.h"
 #include "io/program/list.h"
 #include "io/program/progress.h"
+#include "io/program/terminal.h"
+#include "io/program/write_each.h"
 #include "io/scene_files/read_scene_file.h"
 
 #include <fmt/format.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -25,12 +28,12 @@ using namespace abbe;
 namespace fs = std::filesystem;
 
 void print_warning(const std::string& message) {
-  fmt::print(stderr, "warning: {}\n", message);
+  say_error("warning: " + message);
 }
 
 void print_plan(const Plan& plan) {
   for (const std::string& note : plan.notes)
-    fmt::print("plan: {}\n", note);
+    say("plan: " + note);
 }
 
 std::vector<fs::path> outputs_of(const Options& options, const Scene& scene) {
@@ -40,13 +43,11 @@ std::vector<fs::path> outputs_of(const Options& options, const Scene& scene) {
 
 /// Throws when a file of this name surely could not be written.
 void check_place(const fs::path& path) {
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  if (!is_directory(folder))
-    throw UserError(fmt::format("{}: there is no folder {}", path.string(), folder.string()));
-  if (is_directory(path)) throw UserError(fmt::format("{}: this is a folder", path.string()));
-  if (::access(folder.c_str(), W_OK) != 0)
-    throw UserError(
-        fmt::format("{}: the folder {} cannot be written to", path.string(), folder.string()));
+  try {
+    require_replaceable(path);
+  } catch (const std::runtime_error& error) {
+    throw UserError(error.what());
+  }
 }
 
 /// Finds what would make writing fail before the long work, not after it.
@@ -76,32 +77,36 @@ BandPlace band_place(const fs::path& spectral) {
   return {spectral.has_parent_path() ? spectral.parent_path() : "."};
 }
 
-/// Each kind of picture is there only while its files are written.
-void write_outputs(const Rendering& rendering, const Plan& plan, const Options& options,
+/// Each kind of picture is there only while its files are written. Returns false when some file
+/// could not be written; the others are.
+bool write_outputs(const Rendering& rendering, const Plan& plan, const Options& options,
                    const DisplaySettings& display_settings, const std::vector<fs::path>& outputs) {
-  const auto wrote = [&](const fs::path& path) {
-    if (!options.quiet) fmt::print("wrote {}\n", path.string());
-  };
   const auto write_all = [&](bool scene_linear, const SceneLinearImage& linear,
                              const DisplayImage& display) {
-    for (const fs::path& path : outputs) {
-      if (is_scene_linear_extension(path) != scene_linear) continue;
-      write_image(path, linear, display, options.output);
-      wrote(path);
-    }
+    std::vector<OutputJob> jobs;
+    for (const fs::path& path : outputs)
+      if (is_scene_linear_extension(path) == scene_linear)
+        jobs.push_back(
+            {path, [&, path] { return write_image(path, linear, display, options.output); }});
+    return write_each(jobs, options.quiet);
   };
+  bool all = true;
   if (std::ranges::any_of(outputs, is_scene_linear_extension))
-    write_all(true, develop_scene_linear(rendering.film, plan, options.output.exr_space), {});
+    all = write_all(true, develop_scene_linear(rendering.film, plan, options.output.exr_space), {});
   if (!std::ranges::all_of(outputs, is_scene_linear_extension))
-    write_all(false, {}, develop_display(rendering.film, plan, display_settings));
-  if (!options.spectral_output) return;
-  write_spectral_exr(
-      *options.spectral_output, rendering.film.window(),
-      [&](const PixelWindow& rows) { return develop_spectral(rendering.film, plan, rows); });
-  wrote(*options.spectral_output);
+    all = write_all(false, {}, develop_display(rendering.film, plan, display_settings)) && all;
+  if (!options.spectral_output) return all;
+  const auto write_spectral = [&] {
+    write_spectral_exr(
+        *options.spectral_output, rendering.film.window(),
+        [&](const PixelWindow& rows) { return develop_spectral(rendering.film, plan, rows); });
+    return std::string();
+  };
+  return write_each({{*options.spectral_output, write_spectral}}, options.quiet) && all;
 }
 
 int render_command(const Options& options) {
+  outlive_readers();
   const std::atomic<bool>& stop = interrupted();
   const Scene scene = read_scene_file(options.scene_path, print_warning);
   const std::vector<fs::path> outputs = outputs_of(options, scene);
@@ -117,17 +122,17 @@ int render_command(const Options& options) {
       render(scene, plan, world, bands,
              {.progress = [&](const RenderProgress& p) { progress.tell(p); }, .stop = &stop});
   progress.finish();
-  if (!options.quiet) fmt::print("{}\n", summary(rendering));
+  if (!options.quiet) say(summary(rendering));
 
   if (!rendering.complete) {
     const fs::path partial = fs::path(outputs.front()).replace_extension(".partial.exr");
     write_image(partial, develop_scene_linear(rendering.film, plan, options.output.exr_space), {},
                 options.output);
-    fmt::print(stderr, "interrupted: what was done is in {}\n", partial.string());
+    say_error("interrupted: what was done is in " + partial.string());
     return kExitInterrupted;
   }
-  write_outputs(rendering, plan, options, overridden(scene.display, options.display), outputs);
-  return 0;
+  const DisplaySettings display = overridden(scene.display, options.display);
+  return write_outputs(rendering, plan, options, display, outputs) ? 0 : kExitFailure;
 }
 
 int plan_command(const Options& options) {
@@ -151,22 +156,34 @@ int run(const Options& options) {
   return kExitFailure;
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
+int run_and_tell(int argc, char** argv) {
   try {
     return run(parse_command_line(argc, argv));
   } catch (const ReadError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    say_error(error.what());
     return kExitUsage;
   } catch (const UserError& error) {
-    fmt::print(stderr, "abbe: {}\n", error.what());
+    say_error(fmt::format("abbe: {}", error.what()));
+    return kExitUsage;
+  } catch (const std::logic_error& error) { // no input should get here
+    say_error(fmt::format("abbe: internal error: {}", error.what()));
+    return kExitFailure;
     return kExitUsage;
   } catch (const std::logic_error& error) { // no input should get here
     fmt::print(stderr, "abbe: internal error: {}\n", error.what());
     return kExitFailure;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "abbe: {}\n", error.what());
+    say_error(fmt::format("abbe: {}", error.what()));
     return kExitFailure;
   }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  open_standard_streams();
+  const int code = run_and_tell(argc, argv);
+  if (all_was_said()) return code;
+  say_error("abbe: standard output cannot be written");
+  return code == 0 ? kExitFailure : code;
 }

@@ -1,6 +1,7 @@
 #include "io/program/progress.h"
 
 #include "core/adaptive/noise.h"
+#include "io/program/terminal.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace abbe {
 namespace {
@@ -43,19 +43,18 @@ Progress::Progress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) 
 void Progress::tell(const RenderProgress& progress) {
   if (quiet_) return;
   if (terminal_) {
-    fmt::print(stderr, "\r{}\x1b[K", text(progress));
-    std::fflush(stderr);
+    put_error(fmt::format("\r{}\x1b[K", text(progress)));
     line_open_ = true;
     return;
   }
   const int tenths = static_cast<int>(progress.fraction * 10.0 + 1e-9);
   if (tenths == told_tenths_) return;
   told_tenths_ = tenths;
-  fmt::print(stderr, "{}\n", text(progress));
+  say_error(text(progress));
 }
 
 void Progress::finish() {
-  if (line_open_) fmt::print(stderr, "\n");
+  if (line_open_) put_error("\n");
   line_open_ = false;
 }
 

@@ -62,7 +62,7 @@ void read_triangles(SceneState& state, Arguments& arguments) {
   if (state.boolean)
     throw ReadError(where, "mesh cannot be an operand", "booleans combine convex solids",
                     "Give it a place of its own, with a priority where it overlaps others");
-  Mesh mesh = read_mesh(arguments, state.meshes);
+  Mesh mesh = read_mesh(arguments, state.meshes, state.warn);
   if (!mesh.is_closed() && is_transparent(state.material.finish))
     warn_at(state, where,
             "the mesh has no inside to fill (some edge does not join two triangles of one sense)");

@@ -7,12 +7,10 @@
 
 #include "io/text/token.h"
 
+#include "io/files/regular_file.h"
 #include "spectral/data_table.h"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
+#include <stdexcept>
 
 namespace abbe {
 namespace {
@@ -127,17 +125,11 @@ const Token& TokenReader::next() {
 }
 
 std::string read_text_file(const std::filesystem::path& file) {
-  const auto fail = [&](const std::string& why) {
-    return ReadError(file, "the file cannot be read", why, "Check its name and folder");
-  };
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) throw fail("it is a folder");
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw fail(std::strerror(errno));
-  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (stream.bad()) throw fail(std::strerror(errno));
-  return text;
+  try {
+    return read_regular_file(file);
+  } catch (const std::runtime_error& fault) {
+    throw ReadError(file, "the file cannot be read", fault.what(), "Check its name and folder");
+  }
 }
 
 } // namespace abbe

@@ -77,8 +77,10 @@ TEST_CASE("exposure and gamut change the display image") {
   for (std::size_t i = 0; i < 3; ++i) // the first pixel stays in gamut
     CHECK(brighter.linear[i] == Approx(2.0 * plain.linear[i]).epsilon(1e-6));
   const DisplayImage dazzled = develop_display(p.film, p.plan, {.exposure_ev = 20.0});
-  for (const float v : dazzled.linear)
+  for (const float v : dazzled.encoded)
     CHECK(v == 1.0f);
+  for (std::size_t i = 0; i < dazzled.linear.size(); ++i) // not clipped
+    CHECK(dazzled.linear[i] == Approx(0x1p20 * plain.linear[i]).epsilon(1e-6));
 }
 
 TEST_CASE("the display's two encodings differ by the sRGB curve") {

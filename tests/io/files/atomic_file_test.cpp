@@ -3,6 +3,12 @@
 #include "tests/catch.h"
 #include "tests/io/temporary_folder.h"
 
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -36,8 +42,6 @@ TEST_CASE("replace_file writes beside the target and renames") {
   const fs::path target = folder.path / "picture.exr";
   put(target, "old");
   replace_file(target, [&](const fs::path& temporary) {
-    CHECK(temporary.parent_path() == folder.path);
-    CHECK(temporary.extension() == ".exr");
     CHECK(temporary != target);
     CHECK(content(target) == "old");
     put(temporary, "new");
@@ -85,11 +89,99 @@ TEST_CASE("a target that cannot be written is refused before anything is written
   CHECK(message_of([&] { replace_file(lost, write); }) ==
         "cannot write " + lost.string() + ": No such file or directory");
   CHECK(message_of([&] { replace_file(folder.path, write); }) ==
-        "cannot write " + folder.path.string() + ": not a regular file");
+        "cannot write " + folder.path.string() + ": this is a folder");
   CHECK(message_of([&] { replace_file("/dev/null", write); }) ==
         "cannot write /dev/null: not a regular file");
   CHECK(message_of([&] { replace_file("", write); }) ==
         "cannot write : the name of the file is missing");
+  CHECK(folder.file_count() == 0);
+}
+
+TEST_CASE("a name as long as names can be is written") {
+  const Folder folder;
+  const fs::path target = folder.path / (std::string(251, 'a') + ".exr");
+  require_replaceable(target);
+  replace_file(target, [](const fs::path& temporary) { put(temporary, "new"); });
+  CHECK(content(target) == "new");
+  const fs::path longer = folder.path / (std::string(252, 'a') + ".exr");
+  CHECK(message_of([&] { require_replaceable(longer); }) ==
+        "cannot write " + longer.string() + ": File name too long");
+}
+
+TEST_CASE("what cannot be replaced is known before the work") {
+  const Folder folder;
+  put(folder.path / "old", "old");
+  fs::permissions(folder.path / "old", fs::perms::owner_read);
+  fs::create_symlink("none", folder.path / "dangling");
+  fs::create_symlink("loop", folder.path / "loop");
+  REQUIRE(::mkfifo((folder.path / "pipe").c_str(), 0600) == 0);
+  const auto check = [&](const fs::path& target, const std::string& why) {
+    const std::string message = "cannot write " + target.string() + ": " + why;
+    CHECK(message_of([&] { require_replaceable(target); }) == message);
+    if (why.find("folder") == std::string::npos)
+      CHECK(message_of([&] { replace_file(target, [](const fs::path&) { FAIL("called"); }); }) ==
+            message);
+  };
+  check(folder.path / "old", "the file is read-only");
+  check(folder.path / "dangling", "it is a link that leads nowhere");
+  check(folder.path / "loop", "Too many levels of symbolic links");
+  check(folder.path / "pipe", "not a regular file");
+  check("/dev/null", "not a regular file");
+  check(folder.path, "this is a folder");
+  check(folder.path / "no" / "x.exr", "there is no folder " + (folder.path / "no").string());
+  CHECK(content(folder.path / "old") == "old");
+  CHECK(folder.file_count() == 4);
+}
+
+TEST_CASE("a file keeps its permissions, and all its names") {
+  const Folder folder;
+  const fs::path target = folder.path / "picture.exr", other = folder.path / "other.exr";
+  put(target, "old and longer");
+  fs::permissions(target, fs::perms::owner_read | fs::perms::owner_write);
+  replace_file(target, [](const fs::path& temporary) { put(temporary, "new"); });
+  CHECK(fs::status(target).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+  fs::create_hard_link(target, other);
+  replace_file(target, [](const fs::path& temporary) { put(temporary, "newest"); });
+  CHECK(content(other) == "newest");
+  CHECK(fs::hard_link_count(target) == 2);
+  CHECK(folder.file_count() == 2);
+}
+
+TEST_CASE("a process that is killed while it writes leaves nothing") {
+  const Folder folder;
+  const fs::path target = folder.path / "picture.exr";
+  put(target, "old");
+  const pid_t child = ::fork();
+  if (child == 0) {
+    replace_file(target, [](const fs::path& temporary) {
+      put(temporary, "half of the new");
+      ::kill(::getpid(), SIGKILL);
+    });
+    ::_exit(0);
+  }
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  CHECK(WIFSIGNALED(status));
+  CHECK(content(target) == "old");
+  CHECK(folder.file_count() == 1);
+}
+
+TEST_CASE("a file beyond the limit of its size is an error, not the end") {
+  const Folder folder;
+  const fs::path target = folder.path / "picture.exr";
+  rlimit before{};
+  REQUIRE(::getrlimit(RLIMIT_FSIZE, &before) == 0);
+  const rlimit small{1000, before.rlim_max};
+  REQUIRE(::setrlimit(RLIMIT_FSIZE, &small) == 0);
+  const std::string message = message_of([&] {
+    replace_file(target, [](const fs::path& temporary) {
+      std::ofstream file(temporary);
+      file << std::string(5000, 'x') << std::flush;
+      if (!file) throw std::runtime_error("the file is too large");
+    });
+  });
+  REQUIRE(::setrlimit(RLIMIT_FSIZE, &before) == 0);
+  CHECK(message == "cannot write " + target.string() + ": the file is too large");
   CHECK(folder.file_count() == 0);
 }
 

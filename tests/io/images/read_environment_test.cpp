@@ -11,7 +11,9 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
+#include <OpenEXR/ImfStringAttribute.h>
 
+#include <array>
 #include <fstream>
 #include <limits>
 
@@ -107,16 +109,85 @@ TEST_CASE("an environment takes a factor, a spectrum, and the turn of the curren
   CHECK(glm::length(turn[2] - dvec3(1, 0, 0)) < 1e-14);
 }
 
-TEST_CASE("a picture of luminance alone is grey, and other primaries are told of") {
+TEST_CASE("a picture of luminance alone is grey, whatever its primaries") {
   Pictures pictures;
   pictures.write_one_channel("grey.exr", "Y");
   const Scene scene = pictures.read("environment grey.exr");
   for (std::size_t i = 0; i < 18; ++i)
     CHECK(scene.environment->rgb[i] == static_cast<float>(i / 3));
-  REQUIRE(pictures.warnings.size() == 1);
-  CHECK(pictures.warnings[0].find("s.sdl:1:13: ") != std::string::npos);
-  CHECK(pictures.warnings[0].find("has other primaries than sRGB; it is read as if it had not") !=
+  CHECK(pictures.warnings.empty());
+}
+
+TEST_CASE("the tags of a picture say what its colours are") {
+  Pictures pictures;
+  // Red, green and blue of ACEScg in linear sRGB, Bradford-adapted to D65. (source: the matrix that
+  // OpenColorIO's ACES configurations and Lindbloom's formulas give, five digits)
+  const double expected[3][3] = {
+      {1.70505, -0.13026, -0.02400}, {-0.62179, 1.14080, -0.12897}, {-0.08326, -0.01055, 1.15297}};
+  const PixelWindow window{0, 0, 3, 1};
+  const std::vector<float> rgba{1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1};
+  SceneLinearImage image{window, window, rgba, {}, SceneLinearSpace::acescg};
+  write_exr(pictures.folder.path / "tagged.exr", image, ExrPixel::single);
+  Imf::Header header(3, 1);
+  Imf::addChromaticities(header, Imf::Chromaticities({0.713f, 0.293f}, {0.165f, 0.830f},
+                                                     {0.128f, 0.044f}, {0.32168f, 0.33767f}));
+  Imf::FrameBuffer frame;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const char* const name = std::array{"R", "G", "B"}[c];
+    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    frame.insert(name, Imf::Slice::Make(Imf::FLOAT, rgba.data() + c, header.dataWindow(),
+                                        4 * sizeof(float), 12 * sizeof(float)));
+  }
+  {
+    Imf::OutputFile file((pictures.folder.path / "primaries.exr").c_str(), header);
+    file.setFrameBuffer(frame);
+    file.writePixels(1);
+  }
+  for (const char* name : {"tagged.exr", "primaries.exr"}) {
+    const Scene scene = pictures.read(std::string("environment ") + name);
+    for (std::size_t pixel = 0; pixel < 3; ++pixel)
+      for (std::size_t c = 0; c < 3; ++c)
+        CHECK(scene.environment->rgb[3 * pixel + c] == Approx(expected[pixel][c]).margin(2e-5));
+  }
+  // Components below 0 are told of; they are colours that sRGB does not have.
+  REQUIRE(pictures.warnings.size() == 2);
+  CHECK(pictures.warnings[0].find("has negative components, which count as 0") !=
         std::string::npos);
+}
+
+TEST_CASE("a tag that is not known is told of") {
+  Pictures pictures;
+  Imf::Header header(1, 1);
+  header.insert("colorInteropID", Imf::StringAttribute("g22_rec709_scene"));
+  const float values[] = {0.5f};
+  Imf::FrameBuffer frame;
+  for (const char* name : {"R", "G", "B"}) {
+    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    frame.insert(name, Imf::Slice::Make(Imf::FLOAT, values, header.dataWindow()));
+  }
+  {
+    Imf::OutputFile file((pictures.folder.path / "odd.exr").c_str(), header);
+    file.setFrameBuffer(frame);
+    file.writePixels(1);
+  }
+  (void)pictures.read("environment odd.exr");
+  REQUIRE(pictures.warnings.size() == 1);
+  CHECK(pictures.warnings[0].find("is tagged as \"g22_rec709_scene\", which is not known; it is "
+                                  "read as linear sRGB") != std::string::npos);
+}
+
+TEST_CASE("a picture that declares more than memory may hold is refused by its header") {
+  Pictures pictures;
+  // A header for 60000 x 60000 pixels, as OpenEXR writes it, and nothing after it.
+  Imf::Header header(60000, 60000);
+  for (const char* name : {"R", "G", "B"})
+    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+  {
+    const Imf::OutputFile file((pictures.folder.path / "vast.exr").c_str(), header);
+  }
+  CHECK(pictures.error("environment vast.exr") ==
+        "s.sdl:1:13: \"vast.exr\" cannot be read (its 60000 x 60000 pixels would take 40.2 GiB of "
+        "memory, and 2 GiB is the most for an image). Write the picture again, as OpenEXR");
 }
 
 TEST_CASE("errors of environments") {
@@ -125,12 +196,14 @@ TEST_CASE("errors of environments") {
         "s.sdl:1:13: there is no file \"nowhere.exr\" (pictures are found relative to the file "
         "that names them). Check the name, or write the whole path");
   std::ofstream(pictures.folder.path / "text.exr") << "no picture";
-  CHECK(pictures.error("environment text.exr")
-            .find("s.sdl:1:13: \"text.exr\" cannot be understood (") == 0);
+  CHECK(pictures.error("environment text.exr").find("s.sdl:1:13: \"text.exr\" cannot be read (") ==
+        0);
+  CHECK(pictures.error("environment .") ==
+        "s.sdl:1:13: \".\" cannot be read (it is a folder). Write the picture again, as OpenEXR");
   pictures.write_one_channel("depth.exr", "Z");
   CHECK(pictures.error("environment depth.exr") ==
-        "s.sdl:1:13: \"depth.exr\" holds no colours (it has neither channels R, G and B nor a "
-        "channel Y). Give a picture in linear sRGB");
+        "s.sdl:1:13: \"depth.exr\" cannot be read (it has neither full channels R, G and B nor a "
+        "full channel Y). Write the picture again, as OpenEXR");
   for (const float value :
        {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
     pictures.write("bad.exr", value);

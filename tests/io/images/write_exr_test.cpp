@@ -186,25 +186,36 @@ TEST_CASE("scene-linear EXR keeps every pixel, below 0 and above 1 too") {
   }
 }
 
-TEST_CASE("half rounds to the nearest even and stays finite, single keeps all bits") {
+TEST_CASE("half rounds to the nearest even, single keeps all bits") {
   const Folder folder;
   const fs::path path = folder.path / "picture.exr";
   // A half has 10 bits after the binary point: from 1 the next ones are 1 + 2^-10 and 1 + 2^-9.
   const float ulp = std::ldexp(1.0f, -10);
   const std::vector<float> red = {1 + 0.49f * ulp, 1 + 0.5f * ulp, 1 + 0.51f * ulp,
-                                  1 + 1.5f * ulp,  -0.1f,          1e6f,
-                                  -1e6f,           65504.0f,       std::ldexp(1.0f, -24)};
+                                  1 + 1.5f * ulp,  -0.1f,          65519.0f,
+                                  -65519.0f,       65504.0f,       std::ldexp(1.0f, -24)};
   std::vector<float> rgba;
   for (const float r : red)
     rgba.insert(rgba.end(), {r, 0.0f, 0.0f, 1.0f});
 
-  write_exr(path, one_row(rgba), ExrPixel::half);
+  CHECK(write_exr(path, one_row(rgba), ExrPixel::half) == ExrPixel::half);
   // 0.1 lies in [2^-4, 2^-3), so its steps are 2^-14: 0.1 * 2^14 = 1638.4.
   CHECK(read_channel(path, "R") == std::vector<float>{1.0f, 1.0f, 1 + ulp, 1 + 2 * ulp,
                                                       std::ldexp(-1638.0f, -14), 65504.0f,
                                                       -65504.0f, 65504.0f, std::ldexp(1.0f, -24)});
   write_exr(path, one_row(rgba), ExrPixel::single);
   CHECK(read_channel(path, "R") == red);
+}
+
+TEST_CASE("values beyond the range of half floats are written as floats") {
+  const Folder folder;
+  const fs::path path = folder.path / "picture.exr";
+  for (const float beyond : {65520.0f, -65520.0f, 3e38f}) {
+    CHECK(write_exr(path, one_row({1.1f, 0.0f, 0.0f, 1.0f, 0.0f, beyond, 0.0f, 1.0f}),
+                    ExrPixel::half) == ExrPixel::single);
+    CHECK(read_channel(path, "R") == std::vector<float>{1.1f, 0.0f});
+    CHECK(read_channel(path, "G") == std::vector<float>{0.0f, beyond});
+  }
 }
 
 TEST_CASE("NaN and infinity are written as they are") {

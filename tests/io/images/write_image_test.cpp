@@ -60,6 +60,19 @@ const SpectralImage spectral{window, window, {400.0, 500.0}, noise(64 * 48 * 2),
 
 } // namespace
 
+TEST_CASE("a picture that half floats cannot hold is written as floats, and told") {
+  const Folder folder;
+  SceneLinearImage bright{pixel, pixel, {1.0f, 1.0f, 65520.0f, 1.0f}, {}};
+  const fs::path path = folder.path / "a.exr";
+  CHECK(write_image(path, bright, {}, {}) ==
+        path.string() +
+            ": written with 32 bits a channel, since values are beyond the range of half "
+            "floats (65504)");
+  CHECK(write_image(path, bright, {}, {.exr_pixel = ExrPixel::single}).empty());
+  bright.rgba[2] = 65504.0f;
+  CHECK(write_image(path, bright, {}, {}).empty());
+}
+
 TEST_CASE("the extension names the format, whatever its case") {
   const Folder folder;
   // First bytes of the files: OpenEXR's magic number 20000630, TIFF's "II" 42, PNG's signature.

@@ -3,6 +3,7 @@
 #include "geometry/world.h"
 #include "tests/catch.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -95,6 +96,23 @@ TEST_CASE("a file that is named again shares its triangles, under whatever name"
   CHECK(contains(world.shapes()[2], {3.9, 0.9, 0.9}));
 }
 
+TEST_CASE("a library that an OBJ names is not opened, and concave ends stay concave") {
+  Folder folder;
+  folder.write("l.obj", "mtllib parts\n" // an L, 2 x 2 x 1, its ends polygons of six corners
+                        "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n"
+                        "v 0 0 1\nv 2 0 1\nv 2 1 1\nv 1 1 1\nv 1 2 1\nv 0 2 1\n"
+                        "f 6 5 4 3 2 1\nf 7 8 9 10 11 12\nf 1 2 8 7\nf 2 3 9 8\nf 3 4 10 9\n"
+                        "f 4 5 11 10\nf 5 6 12 11\nf 6 1 7 12\n");
+  const Scene scene = folder.read("mesh l.obj");
+  const Mesh& mesh = std::get<Mesh>(scene.shapes[0].shape);
+  CHECK(mesh.is_closed());
+  CHECK(mesh.triangles().size() == 20);
+  CHECK(mesh.area() == Approx(2 * 3 + 8)); // two ends of area 3, a wall of length 8 and height 1
+  CHECK(contains(scene.shapes[0], {0.5, 1.5, 0.5}));
+  CHECK_FALSE(contains(scene.shapes[0], {1.25, 1.25, 0.5}));
+  CHECK(folder.warnings.empty());
+}
+
 TEST_CASE("glass in an open mesh is a warning") {
   Folder folder;
   folder.write("leaf.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -119,7 +137,13 @@ TEST_CASE("errors of meshes") {
   CHECK(folder.error("mesh no.ply") ==
         "s.sdl:1:6: there is no file \"no.ply\" (meshes are found relative to the file that names "
         "them). Check the name, or write the whole path");
-  CHECK(folder.error("mesh bad.ply").find("s.sdl:1:6: \"bad.ply\" cannot be understood (") == 0);
+  CHECK(folder.error("mesh bad.ply") ==
+        "bad.ply:1:1: this is no PLY file (it does not begin with a line \"ply\"). Write the mesh "
+        "again [mesh at s.sdl:1:6]");
+  REQUIRE(::mkfifo((folder.path / "pipe.ply").c_str(), 0600) == 0);
+  CHECK(folder.error("mesh pipe.ply") ==
+        "s.sdl:1:6: \"pipe.ply\" cannot be read (it is a pipe). Give a file of triangles or "
+        "polygons, as OBJ or PLY");
   CHECK(
       folder.error("mesh points.obj") ==
       "s.sdl:1:6: \"points.obj\" holds no surface (there is no triangle with an area). Give a file "

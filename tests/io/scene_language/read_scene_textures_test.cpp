@@ -222,12 +222,16 @@ TEST_CASE("errors of images") {
   CHECK_THAT(image_error(exr), Catch::Matchers::ContainsSubstring("\"a.exr\" cannot be read ("));
   save_exr(exr, "RG", {});
   CHECK(image_error(exr) ==
-        "s.sdl:1:14: \"a.exr\" cannot be read (it has no full channels R, G and "
-        "B). Write the image again, as PNG or EXR");
+        "s.sdl:1:14: \"a.exr\" cannot be read (it has neither full channels R, G "
+        "and B nor a full channel Y). Write the image again, as PNG or EXR");
   save_exr(exr, "RGB", {0.0f, std::numeric_limits<float>::quiet_NaN(), 0.0f});
   CHECK(image_error(exr) ==
         "s.sdl:1:14: \"a.exr\" holds what is no number (a component is infinite "
         "or not a number). Write the image again");
-  CHECK_NOTHROW(require_image_size(8192, 8192));
-  REQUIRE_THROWS_WITH(require_image_size(8193, 8192), "8193 x 8192 pixels are more than 67108864");
+  CHECK_NOTHROW(require_image_memory(16384, 8192, 12));
+  REQUIRE_THROWS_WITH(
+      require_image_memory(65536, 65536, 12),
+      "its 65536 x 65536 pixels would take 48.0 GiB of memory, and 2 GiB is the most "
+      "for an image");
+  CHECK_THROWS(require_image_memory(std::uint64_t{1} << 63, std::uint64_t{1} << 63, 12));
 }
