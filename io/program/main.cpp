@@ -168,10 +168,6 @@ int run_and_tell(int argc, char** argv) {
   } catch (const std::logic_error& error) { // no input should get here
     say_error(fmt::format("abbe: internal error: {}", error.what()));
     return kExitFailure;
-    return kExitUsage;
-  } catch (const std::logic_error& error) { // no input should get here
-    fmt::print(stderr, "abbe: internal error: {}\n", error.what());
-    return kExitFailure;
   } catch (const std::exception& error) {
     say_error(fmt::format("abbe: {}", error.what()));
     return kExitFailure;
