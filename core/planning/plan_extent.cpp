@@ -64,8 +64,8 @@ double film_quantum(const Scene& scene, const BandGrid& grid, Observer observer)
 void check_extent(const Scene& scene) {
   check_reach(largest(scene.camera.eye), "the camera's eye");
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    if (const auto position = position(scene.lights[i]))
-      check_reach(largest(*position), fmt::format("light number {}", i + 1));
+    if (const auto place = position(scene.lights[i]))
+      check_reach(largest(*place), fmt::format("light number {}", i + 1));
   for (std::size_t i = 0; i < scene.shapes.size(); ++i)
     check_reach(reach_of(scene.shapes[i]), fmt::format("shape number {}", i + 1));
   const double farthest = farthest_coordinate(scene);
