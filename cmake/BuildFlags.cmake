@@ -22,7 +22,7 @@ set(ABBE_PRECOMPILED
 # GCC forgets that precompiled headers are the system's, and warns of overflows in the standard
 # library's strings that cannot happen. Clang and the address sanitizer still look for real ones.
 target_compile_options(abbe_flags INTERFACE
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds -Wno-stringop-overflow>)
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread>)
 
 # abbe_add_library(folder source...): the static library abbe_<folder> of one folder.
 function(abbe_add_library folder)
