@@ -56,7 +56,7 @@ const Candidate& shown(const ShapeTable& shapes, const Coincident& crossings) {
   return *highest;
 }
 
-void touch(Hit& hit, const Candidate& c) {
+[[gnu::always_inline]] inline void touch(Hit& hit, const Candidate& c) {
   const bool entering = c.crossing.entering;
   hit.same_side.push_back({c.shape, c.crossing.face, entering ? Side::outside : Side::inside});
   hit.other_side.push_back({c.shape, c.crossing.face, entering ? Side::inside : Side::outside});

@@ -123,9 +123,12 @@ void intersect(const CsgTree& tree, const LocalRay& ray, std::span<const CsgCont
   for (const CsgTree::Step& step : tree.steps()) {
     if (step.leaf >= 0) {
       const CsgLeaf& leaf = tree.leaves()[static_cast<std::size_t>(step.leaf)];
-      const auto contact = std::find_if(contacts.begin(), contacts.end(),
-                                        [&](const CsgContact& c) { return c.leaf == step.leaf; });
-      const FaceContact* face = contact != contacts.end() ? &contact->face : nullptr;
+      const FaceContact* face = nullptr;
+      for (const CsgContact& contact : contacts)
+        if (contact.leaf == step.leaf) {
+          face = &contact.face;
+          break;
+        }
       starts.push_back(intervals.size());
       auto found = std::visit(
           [&](const auto& solid) { return intersect(solid, local_ray(leaf.to_tree, ray), face); },

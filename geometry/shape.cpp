@@ -32,17 +32,24 @@ Bounds bounds(const PlacedShape& placed) {
 
 std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& ray,
                                            const ShapeState& state) {
-  ShortVector<CsgContact, 4> contacts;
-  const auto touch = [&](const FaceId& face, bool inside) {
+  const auto contact_on = [&](const FaceId& face, bool inside) -> CsgContact {
     const bool flipped = tree.leaves()[static_cast<std::size_t>(face.leaf)].flipped;
-    contacts.push_back({face.leaf, {face.face, inside != flipped ? Side::inside : Side::outside}});
+    return {face.leaf, {face.face, inside != flipped ? Side::inside : Side::outside}};
   };
-  if (state.touching) touch(state.face, state.inside);
-  for (const TouchedFace& other : state.others)
-    touch(other.face, other.inside);
   thread_local std::vector<Interval> intervals;
   intervals.clear();
-  intersect(tree, ray, {contacts.begin(), contacts.size()}, intervals);
+  if (!state.others.empty()) [[unlikely]] {
+    ShortVector<CsgContact, 8> contacts;
+    if (state.touching) contacts.push_back(contact_on(state.face, state.inside));
+    for (const TouchedFace& other : state.others)
+      contacts.push_back(contact_on(other.face, other.inside));
+    intersect(tree, ray, {contacts.begin(), contacts.size()}, intervals);
+  } else if (state.touching) {
+    const CsgContact contact = contact_on(state.face, state.inside);
+    intersect(tree, ray, {&contact, 1}, intervals);
+  } else {
+    intersect(tree, ray, {}, intervals);
+  }
 
   if (state.inside) {
     const Root* just_left = nullptr; // an exit that rounding has put behind the origin

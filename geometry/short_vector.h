@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -19,26 +20,35 @@ public:
   ShortVector() {}
   ShortVector(const ShortVector& other) { copy(other); }
   ShortVector& operator=(const ShortVector& other) {
-    copy(other);
+    if (is_long() || other.is_long()) [[unlikely]]
+      assign_long(other);
+    else
+      copy(other);
     return *this;
   }
-  ~ShortVector() = default;
+  ~ShortVector() {
+    if (is_long()) [[unlikely]]
+      release();
+  }
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] bool empty() const { return size_ == 0; }
-  [[nodiscard]] const T* begin() const { return many_ ? many_.get() : values_; }
+  [[nodiscard]] const T* begin() const { return is_long() ? many_ : values_; }
   [[nodiscard]] const T* end() const { return begin() + size_; }
-  [[nodiscard]] T* begin() { return many_ ? many_.get() : values_; }
+  [[nodiscard]] T* begin() { return is_long() ? many_ : values_; }
   [[nodiscard]] T* end() { return begin() + size_; }
   [[nodiscard]] const T& operator[](std::size_t i) const { return begin()[i]; }
   [[nodiscard]] T& operator[](std::size_t i) { return begin()[i]; }
 
-  /// Keeps the room that the list has taken.
-  void clear() { size_ = 0; }
+  void clear() {
+    if (is_long()) [[unlikely]]
+      release();
+    size_ = 0;
+  }
   void push_back(const T& value) {
-    if (size_ == capacity()) [[unlikely]]
-      return push_grown(value);
-    std::construct_at(begin() + size_++, value);
+    if (size_ >= Inline) [[unlikely]]
+      return push_long(value);
+    std::construct_at(values_ + size_++, value);
   }
   /// Puts the value before the one at `i`.
   void insert(std::size_t i, const T& value) {
@@ -54,22 +64,52 @@ public:
     T* const values = begin();
     for (std::size_t k = i + 1; k < size_; ++k)
       values[k - 1] = values[k];
+    if (size_ == Inline + 1) [[unlikely]]
+      return move_inside();
     --size_;
   }
 
 private:
-  [[nodiscard]] std::size_t capacity() const { return many_ ? capacity_ : Inline; }
+  /// The length tells where the values are, so that a list that is not long costs nothing for what
+  /// a long one needs.
+  [[nodiscard]] bool is_long() const { return size_ > Inline; }
 
-  [[gnu::noinline]] void push_grown(T value) { // rare, so out of the way
-    auto more = std::make_unique_for_overwrite<T[]>(2 * std::size_t{size_});
-    std::copy(begin(), end(), more.get());
-    many_ = std::move(more);
-    capacity_ = 2 * size_;
+  /// Room on the heap for a list of so many values: up to the next power of two.
+  [[nodiscard]] static T* room_for(std::size_t count) {
+    return std::make_unique_for_overwrite<T[]>(std::bit_ceil(count)).release();
+  }
+  void release() { std::unique_ptr<T[]>(many_).reset(); }
+
+  // What long lists need is rare, so it stays out of the way.
+  [[gnu::noinline]] void push_long(T value) {
+    if (size_ == Inline || std::has_single_bit(size_)) { // the room is full
+      T* const more = room_for(size_ + std::size_t{1});
+      std::copy(begin(), end(), more);
+      if (is_long()) release();
+      std::construct_at(&many_, more);
+    }
     many_[size_++] = value;
   }
+  [[gnu::noinline]] void move_inside() {
+    const std::unique_ptr<T[]> values(many_);
+    size_ = Inline;
+    for (std::size_t i = 0; i < Inline; ++i)
+      std::construct_at(values_ + i, values[i]);
+  }
+  [[gnu::noinline]] void assign_long(const ShortVector& other) {
+    if (this == &other) return;
+    if (is_long()) release();
+    copy(other);
+  }
+  [[gnu::noinline]] void copy_long(const ShortVector& other) {
+    std::construct_at(&many_, room_for(other.size_));
+    std::copy(other.begin(), other.end(), many_);
+    size_ = other.size_;
+  }
 
+  /// Holds nothing long before.
   void copy(const ShortVector& other) {
-    if (many_ || other.many_) [[unlikely]]
+    if (other.is_long()) [[unlikely]]
       return copy_long(other);
     size_ = other.size_;
     if (size_ == 0) return;
@@ -78,21 +118,10 @@ private:
       std::construct_at(values_ + i, other.values_[i]);
   }
 
-  [[gnu::noinline]] void copy_long(const ShortVector& other) {
-    if (this == &other) return;
-    if (other.size_ > capacity()) {
-      many_ = std::make_unique_for_overwrite<T[]>(other.size_);
-      capacity_ = other.size_;
-    }
-    size_ = other.size_;
-    std::copy(other.begin(), other.end(), begin());
-  }
-
   std::uint32_t size_ = 0;
-  std::uint32_t capacity_;    ///< of `many_`, and without meaning where that is null
-  std::unique_ptr<T[]> many_; ///< the values where they are, or have been, more than `Inline`
   union {
-    T values_[Inline]; ///< those from size_ on do not exist
+    T values_[Inline]; ///< of a short list; those from size_ on do not exist
+    T* many_;          ///< of a list longer than that
   };
 };
 

@@ -37,12 +37,20 @@ const SurfaceContact* contact_with(ShapeId id, const Contacts& contacts) {
 template <class S>
 constexpr bool kCrossedOften = std::is_same_v<S, CsgTree> || std::is_same_v<S, Mesh>;
 
-using TouchedFaces = ShortVector<TouchedFace, 4>;
-
-/// The faces of a shape that the ray has crossed where it is.
-void add_crossed(ShapeId shape, const Passage& passage, TouchedFaces& faces) {
-  for (const SurfaceContact& contact : passage.crossed())
-    if (contact.shape == shape) faces.push_back({contact.face, contact.side == Side::inside});
+/// What a ray meets next of a shape of which it has crossed faces where it is.
+template <class S>
+[[gnu::noinline]] bool find_behind_crossed(const Query& query, const Primitive& primitive,
+                                           const RayState& state, ShapeState known,
+                                           ShapeCrossing& found) {
+  ShortVector<TouchedFace, 8> crossed;
+  for (const SurfaceContact& contact : query.passage->crossed())
+    if (contact.shape == primitive.id)
+      crossed.push_back({contact.face, contact.side == Side::inside});
+  known.others = {crossed.begin(), crossed.size()};
+  const auto next = next_crossing(*std::get_if<S>(&primitive.placed->shape),
+                                  ray_for<S>(primitive, state.ray), known);
+  if (next) found = *next;
+  return next.has_value();
 }
 
 /// What a ray of the query meets next of a shape; it need not be found at the query's distance or
@@ -64,12 +72,9 @@ bool find_crossing(const Query& query, const Primitive& primitive, const RayStat
     }
     known = {!outside, true, contact->face};
   }
-  [[maybe_unused]] std::conditional_t<kCrossedOften<S>, TouchedFaces, std::monostate> crossed;
   if constexpr (kCrossedOften<S>)
-    if (query.passage && !query.passage->crossed().empty()) {
-      add_crossed(primitive.id, *query.passage, crossed);
-      known.others = {crossed.begin(), crossed.size()};
-    }
+    if (query.passage && !query.passage->crossed().empty()) [[unlikely]]
+      return find_behind_crossed<S>(query, primitive, state, known, found);
   if constexpr (FlatShape<S> || PlaneFaced<S> || std::is_same_v<S, Sphere>) {
     return find_next(shape, primitive.frame.see(state.ray), known, query.distance, found);
   } else {
