@@ -27,7 +27,7 @@ TEST_CASE("what is too far off for rays is refused by name") {
   CHECK_THROWS_WITH(check_extent(eye), ContainsSubstring("the camera's eye is too far"));
 
   Scene lamp = with_ball(1.0);
-  lamp.lights.emplace_back().emitter = PointLight{{0.0, 1e40, 1e40}};
+  lamp.lights.emplace_back().kind = PointLight{{0.0, 1e40, 1e40}};
   CHECK_THROWS_WITH(check_extent(lamp), ContainsSubstring("light number 1 is too far"));
 
   Scene plane;

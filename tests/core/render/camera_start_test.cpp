@@ -66,8 +66,8 @@ void check_shared(const CameraKind& kind) {
     for (std::uint32_t i = 0; i < 4; ++i) {
       const CameraPaths paths = start.paths(i, hits.data());
       REQUIRE(paths.count == 1);
-      CHECK(paths.bundles->first == seen.plan.first_band);
-      CHECK(paths.bundles->last == seen.plan.last_band);
+      CHECK(paths.bundles->bands.first == seen.plan.first_band);
+      CHECK(paths.bundles->bands.last == seen.plan.last_band);
       CHECK(paths.bundles->weight == 1.0f);
       const Ray ray = camera.ray(place_of(i), sampler(i));
       CHECK(paths.states->ray.origin == ray.origin);
@@ -105,8 +105,8 @@ TEST_CASE("samples of a real lens start with the rays that its bands are parted 
       const CameraPaths paths = start.paths(i, hits.data());
       REQUIRE(paths.count == bundles.size());
       for (std::size_t k = 0; k < bundles.size(); ++k) {
-        CHECK(paths.bundles[k].first == bundles[k].first);
-        CHECK(paths.bundles[k].last == bundles[k].last);
+        CHECK(paths.bundles[k].bands.first == bundles[k].bands.first);
+        CHECK(paths.bundles[k].bands.last == bundles[k].bands.last);
         CHECK(paths.states[k].ray.direction == states[k].ray.direction);
         CHECK(paths.hits[k].t == static_cast<double>(before + k));
       }

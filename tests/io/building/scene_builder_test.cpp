@@ -104,17 +104,8 @@ TEST_CASE("what does not go together is refused with the place that the caller g
         }).starts_with("ball.gltf, node 3: the crop reaches beyond the picture"));
 }
 
-TEST_CASE("parallel light has no falloff, and an image is read once") {
+TEST_CASE("an image is read once") {
   SceneBuilder builder;
-  Light light;
-  light.falloff = Falloff::square;
-  light.emitter = PointLight{};
-  builder.add_light(light);
-  light.emitter = SunLight{};
-  builder.add_light(light);
-  CHECK(builder.scene().lights[0].falloff == Falloff::square);
-  CHECK(builder.scene().lights[1].falloff == Falloff::none);
-
   int reads = 0;
   const auto read = [&] {
     ++reads;
