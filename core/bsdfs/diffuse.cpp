@@ -1,6 +1,6 @@
 #include "core/bsdfs/diffuse.h"
 
-#include "geometry/disc_point.h"
+#include "geometry/solids/disc_point.h"
 
 #include <glm/geometric.hpp>
 

@@ -2,8 +2,8 @@
 
 #include "core/bands/band_range.h"
 #include "core/bundles/ray_record.h"
-#include "geometry/passage.h"
-#include "geometry/ray_state.h"
+#include "geometry/rays/passage.h"
+#include "geometry/rays/ray_state.h"
 
 #include <cstddef>
 

@@ -4,7 +4,7 @@
 #include "core/bundles/bundle.h"
 #include "core/bundles/path_wavelengths.h"
 #include "core/bundles/statistics.h"
-#include "geometry/world.h"
+#include "geometry/world/world.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "core/cameras/exit_pupil.h"
 
-#include "geometry/lens.h"
+#include "geometry/booleans/lens.h"
 #include "spectral/band_grid.h"
 #include "spectral/fraunhofer.h"
 

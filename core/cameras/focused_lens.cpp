@@ -1,7 +1,7 @@
 #include "core/cameras/focused_lens.h"
 
 #include "core/cameras/focus_distance.h"
-#include "geometry/lens.h"
+#include "geometry/booleans/lens.h"
 #include "spectral/fraunhofer.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "core/cameras/lens_camera.h"
 
 #include "core/sampling/sampler.h"
-#include "geometry/disc_point.h"
+#include "geometry/solids/disc_point.h"
 
 #include <cmath>
 #include <numbers>

@@ -2,7 +2,7 @@
 
 #include "core/bands/index_table.h"
 #include "core/scene/lens_prescription.h"
-#include "geometry/ray.h"
+#include "geometry/rays/ray.h"
 
 #include <optional>
 #include <span>

@@ -4,7 +4,7 @@
 #include "core/cameras/image_scale.h"
 #include "core/sampling/sampler.h"
 #include "core/scene/camera.h"
-#include "geometry/ray.h"
+#include "geometry/rays/ray.h"
 
 namespace abbe {
 

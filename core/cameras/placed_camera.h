@@ -4,7 +4,7 @@
 #include "core/cameras/pinhole_camera.h"
 #include "core/cameras/thin_lens_camera.h"
 #include "core/scene/scene.h"
-#include "geometry/world.h"
+#include "geometry/world/world.h"
 
 #include <optional>
 #include <variant>

@@ -1,7 +1,7 @@
 #include "core/cameras/thin_lens_camera.h"
 
 #include "core/cameras/focus_distance.h"
-#include "geometry/disc_point.h"
+#include "geometry/solids/disc_point.h"
 
 namespace abbe {
 

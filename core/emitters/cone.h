@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/optics/frame.h"
-#include "geometry/disc_point.h"
+#include "geometry/solids/disc_point.h"
 
 #include <glm/vec2.hpp>
 

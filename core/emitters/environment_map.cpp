@@ -1,6 +1,6 @@
 #include "core/emitters/environment_map.h"
 
-#include "geometry/circle_point.h"
+#include "geometry/solids/circle_point.h"
 #include "spectral/smooth_emissions.h"
 
 #include <glm/geometric.hpp>

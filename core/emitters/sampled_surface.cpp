@@ -1,7 +1,7 @@
 #include "core/emitters/sampled_surface.h"
 
 #include "core/emitters/cone.h"
-#include "geometry/polyhedron_faces.h"
+#include "geometry/solids/polyhedron_faces.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/shape.h"
+#include "geometry/world/shape.h"
 
 #include <glm/vec2.hpp>
 

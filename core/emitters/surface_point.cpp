@@ -2,7 +2,7 @@
 
 #include "core/emitters/sampled_surface.h"
 
-#include "geometry/disc_point.h"
+#include "geometry/solids/disc_point.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/ray_state.h"
+#include "geometry/rays/ray_state.h"
 
 #include <array>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "core/lights/emission_goals.h"
 #include "core/plan/plan.h"
 #include "core/sampling/sampler.h"
-#include "geometry/world.h"
+#include "geometry/world/world.h"
 
 #include <optional>
 #include <variant>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/sampling/sampler.h"
-#include "geometry/ray.h"
+#include "geometry/rays/ray.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

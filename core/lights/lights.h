@@ -3,7 +3,7 @@
 #include "core/emitters/sampled_surface.h"
 #include "core/film/radiance_sums.h"
 #include "core/lights/light_disc.h"
-#include "geometry/ray_state.h"
+#include "geometry/rays/ray_state.h"
 
 #include <optional>
 #include <variant>

@@ -1,6 +1,6 @@
 #include "core/optics/microfacet.h"
 
-#include "geometry/circle_point.h"
+#include "geometry/solids/circle_point.h"
 
 #include <glm/geometric.hpp>
 

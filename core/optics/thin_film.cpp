@@ -1,6 +1,6 @@
 #include "core/optics/thin_film.h"
 
-#include "geometry/circle_point.h"
+#include "geometry/solids/circle_point.h"
 
 #include <algorithm>
 #include <cmath>

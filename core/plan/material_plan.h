@@ -3,7 +3,7 @@
 #include "core/bands/band_table.h"
 #include "core/bsdfs/bsdf.h"
 #include "core/bsdfs/phong.h"
-#include "geometry/ray_state.h"
+#include "geometry/rays/ray_state.h"
 
 #include <optional>
 

@@ -8,7 +8,7 @@
 #include "core/plan/material_plan.h"
 #include "core/plan/texture_plan.h"
 #include "core/scene/scene.h"
-#include "geometry/ray_state.h"
+#include "geometry/rays/ray_state.h"
 #include "spectral/color.h"
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 
 #include "core/bands/band_table.h"
 #include "core/scene/texture.h"
-#include "geometry/surface_coordinates.h"
+#include "geometry/world/surface_coordinates.h"
 
 #include <array>
 #include <variant>

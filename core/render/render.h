@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/render/render_state.h"
-#include "geometry/world.h"
+#include "geometry/world/world.h"
 
 #include <atomic>
 #include <functional>

@@ -10,7 +10,7 @@
 #include "core/plan/plan.h"
 #include "core/render/camera_start.h"
 #include "core/sampling/sampler.h"
-#include "geometry/world.h"
+#include "geometry/world/world.h"
 
 #include <cstddef>
 #include <memory>

@@ -2,7 +2,7 @@
 
 #include "core/bundles/path_wavelengths.h"
 #include "core/optics/frame.h"
-#include "geometry/ray_state.h"
+#include "geometry/rays/ray_state.h"
 
 #include <optional>
 #include <vector>

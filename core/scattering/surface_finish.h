@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/plan/plan.h"
-#include "geometry/world.h"
+#include "geometry/world/world.h"
 
 namespace abbe {
 

@@ -2,7 +2,7 @@
 
 #include "core/scene/drops.h"
 #include "core/scene/texture.h"
-#include "geometry/ids.h"
+#include "geometry/rays/ids.h"
 #include "spectral/curve.h"
 #include "spectral/dispersion.h"
 

@@ -6,7 +6,7 @@
 #include "core/scene/light.h"
 #include "core/scene/material.h"
 #include "core/scene/settings.h"
-#include "geometry/shape.h"
+#include "geometry/world/shape.h"
 #include "spectral/curve.h"
 
 #include <optional>

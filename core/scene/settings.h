@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene/pixel_window.h"
-#include "geometry/world.h"
+#include "geometry/world/world.h"
 #include "spectral/observer.h"
 
 #include <cstdint>

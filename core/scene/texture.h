@@ -10,7 +10,7 @@
 namespace abbe {
 
 // Textures give a diffuse reflectance by the surface coordinates u and v; see
-// geometry/surface_coordinates.h.
+// geometry/world/surface_coordinates.h.
 
 /// `across` x `up` fields in 0..1, each of the other reflectance than its neighbours; the one that
 /// begins at the origin has the first. It goes on beyond.

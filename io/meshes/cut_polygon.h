@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/mesh_hierarchy.h"
+#include "geometry/meshes/mesh_hierarchy.h"
 #include "io/meshes/corner_tree.h"
 
 #include <glm/vec3.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/mesh.h"
+#include "geometry/meshes/mesh.h"
 #include "io/text/read_arguments.h"
 
 #include <filesystem>

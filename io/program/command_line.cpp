@@ -1,7 +1,7 @@
 #include "io/program/command_line.h"
 
 #include "core/scene/user_error.h"
-#include "geometry/world.h"
+#include "geometry/world/world.h"
 #include "io/scene_files/read_scene_file.h"
 #include "io/text/numbers.h"
 

@@ -7,7 +7,7 @@
 //   cemented 2 25.4                             ! elements and their diameter, then in turn
 //     33.34  N-BAF10 9  -22.28  SF10 2.5  -291.07     ! radius, glass, thickness, radius ...
 
-#include "geometry/lens.h"
+#include "geometry/booleans/lens.h"
 #include "io/libraries/read_glass.h"
 #include "io/scene_language/read_scene_state.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/mesh.h"
+#include "geometry/meshes/mesh.h"
 #include "tests/geometry/reference.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/polyhedron.h"
+#include "geometry/solids/polyhedron.h"
 #include "tests/geometry/reference.h"
 
 #include <glm/geometric.hpp>

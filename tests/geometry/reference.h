@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/shape.h"
+#include "geometry/world/shape.h"
 
 #include <glm/mat3x3.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/world.h"
+#include "geometry/world/world.h"
 #include "tests/geometry/random.h"
 #include "tests/geometry/reference.h"
 

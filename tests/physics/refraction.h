@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/optics/fresnel.h"
-#include "geometry/world.h"
+#include "geometry/world/world.h"
 #include "spectral/glass.h"
 
 #include <stdexcept>

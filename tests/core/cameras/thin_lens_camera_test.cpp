@@ -2,7 +2,7 @@
 
 #include "core/cameras/focus_distance.h"
 #include "core/sampling/sampler.h"
-#include "geometry/disc_point.h"
+#include "geometry/solids/disc_point.h"
 #include "tests/catch.h"
 #include "tests/render_text.h"
 

@@ -1,6 +1,6 @@
 #include "core/emitters/sampled_surface.h"
 
-#include "geometry/world.h"
+#include "geometry/world/world.h"
 #include "tests/catch.h"
 #include "tests/core/emitters/direction_sampling.h"
 

@@ -1,6 +1,6 @@
 #include "tests/io/scene_language/read_scene_helpers.h"
 
-#include "geometry/world.h"
+#include "geometry/world/world.h"
 #include "tests/catch.h"
 
 #include <sys/stat.h>

@@ -1,0 +1,251 @@
+#include "geometry/booleans/csg.h"
+
+#include "geometry/solids/ball.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace abbe {
+namespace {
+
+/// Whether the combined solid holds a stretch of the line that is inside or outside its operands.
+bool combined(CsgOperation operation, bool in_left, bool in_right) {
+  switch (operation) {
+  case CsgOperation::unite:
+    return in_left || in_right;
+  case CsgOperation::intersect:
+    return in_left && in_right;
+  case CsgOperation::subtract:
+    return in_left && !in_right;
+  }
+  return false;
+}
+
+/// True when rounding cannot tell which of two roots comes first.
+bool coincide(const Root& a, const Root& b) {
+  return std::abs(a.t - b.t) <= a.t_error + b.t_error;
+}
+
+/// A walk along an ascending interval list, from root to root.
+struct Walk {
+  std::size_t next, stop; ///< indices into the intervals
+  bool inside = false;
+
+  [[nodiscard]] bool done() const { return next >= stop; }
+  [[nodiscard]] const Root& root(const std::vector<Interval>& lists) const {
+    return inside ? lists[next].exit : lists[next].enter;
+  }
+  void pass() {
+    if (inside) ++next;
+    inside = !inside;
+  }
+};
+
+/// Walks two ascending interval lists, [begin, middle) and [middle, end) of `lists`, and appends
+/// their combination after `end`. Where a root of one coincides with a root of the other, both are
+/// passed at once: faces that touch leave neither a gap between them nor a film.
+void merge(CsgOperation operation, std::vector<Interval>& lists, std::size_t begin,
+           std::size_t middle, std::size_t end) {
+  Walk left{begin, middle}, right{middle, end};
+  bool inside = false;
+  Interval open;
+  while (!left.done() || !right.done()) {
+    const bool both = !left.done() && !right.done();
+    const bool left_first = right.done() || (both && left.root(lists).t <= right.root(lists).t);
+    Walk& first = left_first ? left : right;
+    Walk& second = left_first ? right : left;
+    const bool together = both && coincide(first.root(lists), second.root(lists));
+    Root root = first.root(lists);
+    first.pass();
+    bool now = combined(operation, left.inside, right.inside);
+    if (together) {
+      if (now == inside) root = second.root(lists);
+      second.pass();
+      now = combined(operation, left.inside, right.inside);
+    }
+    if (now == inside) continue;
+    inside = now;
+    if (inside)
+      open.enter = root;
+    else if (open.exit = root; open.enter.t < open.exit.t)
+      lists.push_back(open);
+  }
+}
+
+/// Postfix evaluation of one number per leaf.
+template <class Leaf, class Combine>
+auto evaluate(const CsgTree& tree, const Leaf& leaf_value, const Combine& combine) {
+  std::vector<decltype(leaf_value(tree.leaves()[0]))> stack;
+  for (const CsgTree::Step& step : tree.steps()) {
+    if (step.leaf >= 0) {
+      stack.push_back(leaf_value(tree.leaves()[static_cast<std::size_t>(step.leaf)]));
+      continue;
+    }
+    const auto right = stack.back();
+    stack.pop_back();
+    stack.back() = combine(step.operation, stack.back(), right);
+  }
+  return stack.back();
+}
+
+} // namespace
+
+CsgTree::CsgTree(Convex solid, const Transform& to_tree, MaterialId material)
+    : leaves_{{std::move(solid), to_tree, material, false}}, steps_{{0, {}}} {}
+
+CsgTree::CsgTree(CsgOperation operation, CsgTree left, CsgTree right)
+    : leaves_(std::move(left.leaves_)), steps_(std::move(left.steps_)) {
+  const auto shift = static_cast<std::int32_t>(leaves_.size());
+  for (CsgLeaf& leaf : right.leaves_) {
+    if (operation == CsgOperation::subtract) leaf.flipped = !leaf.flipped;
+    leaves_.push_back(std::move(leaf));
+  }
+  for (Step step : right.steps_) {
+    if (step.leaf >= 0) step.leaf += shift;
+    steps_.push_back(step);
+  }
+  steps_.push_back({-1, operation});
+}
+
+CsgTree CsgTree::moved(const Transform& outer) const {
+  CsgTree tree = *this;
+  for (CsgLeaf& leaf : tree.leaves_)
+    leaf.to_tree = outer.after(leaf.to_tree);
+  return tree;
+}
+
+void intersect(const CsgTree& tree, const LocalRay& ray, std::span<const CsgContact> contacts,
+               std::vector<Interval>& intervals) {
+  // Each pending result is a run of `intervals`; `starts` remembers where the runs begin.
+  thread_local std::vector<std::size_t> starts;
+  starts.clear();
+  for (const CsgTree::Step& step : tree.steps()) {
+    if (step.leaf >= 0) {
+      const CsgLeaf& leaf = tree.leaves()[static_cast<std::size_t>(step.leaf)];
+      const FaceContact* face = nullptr;
+      for (const CsgContact& contact : contacts)
+        if (contact.leaf == step.leaf) {
+          face = &contact.face;
+          break;
+        }
+      starts.push_back(intervals.size());
+      auto found = std::visit(
+          [&](const auto& solid) { return intersect(solid, local_ray(leaf.to_tree, ray), face); },
+          leaf.solid);
+      if (found) {
+        found->enter.face.leaf = found->exit.face.leaf = step.leaf;
+        intervals.push_back(*found);
+      }
+      continue;
+    }
+    const std::size_t middle = starts.back();
+    starts.pop_back();
+    const std::size_t begin = starts.back(), end = intervals.size();
+    merge(step.operation, intervals, begin, middle, end);
+    const auto first = intervals.begin();
+    intervals.erase(first + static_cast<std::ptrdiff_t>(begin),
+                    first + static_cast<std::ptrdiff_t>(end));
+  }
+}
+
+dvec3 outward_normal(const CsgTree& tree, const dvec3& point, FaceId face) {
+  const CsgLeaf& leaf = tree.leaves()[static_cast<std::size_t>(face.leaf)];
+  const dvec3 n = std::visit(
+      [&](const auto& solid) {
+        return outward_normal(solid, leaf.to_tree.inverse_point(point), face.face);
+      },
+      leaf.solid);
+  return (leaf.flipped ? -1.0 : 1.0) * leaf.to_tree.normal(n);
+}
+
+dvec3 snapped(const CsgTree& tree, const dvec3& point, FaceId face) {
+  const CsgLeaf& leaf = tree.leaves()[static_cast<std::size_t>(face.leaf)];
+  return std::visit(
+      [&](const auto& solid) {
+        return leaf.to_tree.point(snapped(solid, leaf.to_tree.inverse_point(point), face.face));
+      },
+      leaf.solid);
+}
+
+FaceId nearest_face(const CsgTree& tree, const dvec3& point) {
+  FaceId nearest;
+  double smallest = kInfinity;
+  for (std::size_t i = 0; i < tree.leaves().size(); ++i) {
+    const CsgLeaf& leaf = tree.leaves()[i];
+    std::visit(
+        [&](const auto& solid) {
+          const dvec3 p = leaf.to_tree.inverse_point(point);
+          const double distance = std::abs(signed_distance(solid, p));
+          if (distance >= smallest) return;
+          smallest = distance;
+          nearest = {static_cast<std::int32_t>(i), nearest_face(solid, p)};
+        },
+        leaf.solid);
+  }
+  return nearest;
+}
+
+double signed_distance(const CsgTree& tree, const dvec3& point) {
+  return evaluate(
+      tree,
+      [&](const CsgLeaf& leaf) {
+        return std::visit(
+            [&](const auto& solid) {
+              return signed_distance(solid, leaf.to_tree.inverse_point(point));
+            },
+            leaf.solid);
+      },
+      [](CsgOperation operation, double left, double right) {
+        switch (operation) {
+        case CsgOperation::unite:
+          return std::min(left, right);
+        case CsgOperation::intersect:
+          return std::max(left, right);
+        case CsgOperation::subtract:
+          return std::max(left, -right);
+        }
+        return left;
+      });
+}
+
+namespace {
+
+/// What a part of a tree lies in: a box, and a ball where spheres make one.
+struct Extent {
+  Bounds box;
+  std::optional<Ball> ball;
+};
+
+Extent common_extent(const Extent& a, const Extent& b) {
+  if (!a.ball || !b.ball) return {a.box.overlap(b.box), a.ball ? a.ball : b.ball};
+  const Ball ball = ball_around_common(*a.ball, *b.ball);
+  const Bounds around{ball.center - ball.radius, ball.center + ball.radius};
+  return {a.box.overlap(b.box).overlap(around), ball};
+}
+
+} // namespace
+
+Bounds bounds(const CsgTree& tree, const Transform& to_world) {
+  const auto of_leaf = [&](const CsgLeaf& leaf) -> Extent {
+    const Transform map = to_world.after(leaf.to_tree);
+    return {std::visit([&](const auto& solid) { return bounds(solid, map); }, leaf.solid),
+            std::holds_alternative<Sphere>(leaf.solid) ? std::optional(image_of_unit_ball(map))
+                                                       : std::nullopt};
+  };
+  const auto combined = [](CsgOperation operation, const Extent& left,
+                           const Extent& right) -> Extent {
+    switch (operation) {
+    case CsgOperation::unite:
+      return {left.box.joined(right.box), std::nullopt};
+    case CsgOperation::intersect:
+      return common_extent(left, right);
+    case CsgOperation::subtract:
+      break;
+    }
+    return left;
+  };
+  return evaluate(tree, of_leaf, combined).box;
+}
+
+} // namespace abbe

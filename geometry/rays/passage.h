@@ -1,0 +1,40 @@
+#pragma once
+
+#include "geometry/rays/ray_state.h"
+
+#include <algorithm>
+
+namespace abbe {
+
+/// What a ray that is followed straight on, boundary after boundary, must remember: the faces that
+/// it has crossed where it is now. A contact names one face of a shape. At a corner of a mesh that
+/// the ray only touches, one face would be found again while another one is crossed, for ever.
+/// Faces that have been crossed are not asked again until the ray has moved.
+class Passage {
+public:
+  /// Takes the ray behind what it has met. False where no way leads on: without having moved, the
+  /// ray has crossed faces again in the same sense, twice in turn. So every walk ends: the ray
+  /// moves, or the faces at its place are used up.
+  [[nodiscard]] bool go_through(const Hit& hit, RayState& state) {
+    if (hit.moved) crossed_.clear();
+    const SurfaceContact& shown = hit.other_side[0];
+    const bool again = std::find(crossed_.begin(), crossed_.end(), shown) != crossed_.end();
+    if (again && repeats_) return false;
+    repeats_ = again;
+    for (const SurfaceContact& contact : hit.other_side)
+      crossed_.push_back(contact);
+    state.ray.origin = hit.point;
+    state.contacts = hit.other_side;
+    state.nesting = hit.nesting_after;
+    return true;
+  }
+
+  /// The faces that the ray has crossed at its origin, with the side of the shape that it came to.
+  [[nodiscard]] const Contacts& crossed() const { return crossed_; }
+
+private:
+  Contacts crossed_;
+  bool repeats_ = false; ///< the last face was crossed again
+};
+
+} // namespace abbe

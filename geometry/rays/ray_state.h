@@ -1,0 +1,55 @@
+#pragma once
+
+#include "geometry/rays/interval.h"
+#include "geometry/rays/ray.h"
+#include "geometry/rays/short_vector.h"
+
+namespace abbe {
+
+/// A surface on which a ray's origin lies, and the side of the shape to which the ray goes. The
+/// outside of a flat shape is where its normal points.
+struct SurfaceContact {
+  ShapeId shape;
+  FaceId face;
+  Side side = Side::outside;
+  friend bool operator==(const SurfaceContact&, const SurfaceContact&) = default;
+};
+
+/// All surfaces that meet at a ray's origin: one as a rule, more where solids touch. The first is
+/// the one that shows; its side is believed. The others' sides hold where the ray's direction does
+/// not contradict them: in a corner of two walls it crosses the second one at once.
+using Contacts = ShortVector<SurfaceContact, 4>;
+
+/// The solids that contain a ray's origin, in the order in which they were entered.
+using Nesting = ShortVector<ShapeId, 8>;
+
+/// The record of a ray: what identity and side say, and no tolerance can.
+struct RayState {
+  Ray ray; ///< in world coordinates; `direction` has unit length
+  Contacts contacts;
+  Nesting nesting;
+};
+
+/// What a ray meets next, if anything.
+struct Hit {
+  Hit() {} // not `= default`: value-initialization would clear the lists' storage first
+
+  [[nodiscard]] bool met() const { return shape.valid(); }
+
+  double t = 0.0;       ///< distance from the ray's origin
+  dvec3 point{0.0};     ///< on the surface
+  dvec3 normal{0.0};    ///< unit, outwards from the shape
+  ShapeId shape;        ///< the shape that shows
+  FaceId face;          ///< and which part of it
+  bool entering = true; ///< the ray runs against `normal`
+  bool moved = true;    ///< rounding can tell the place from where the ray began
+  MaterialId material;  ///< the finish of that part
+  MediumId medium_before, medium_after;
+  // A ray that leaves on the side it came from takes same_side and nesting_before (not the nesting
+  // it came with: it may have passed boundaries that do not show); one that goes through takes
+  // other_side and nesting_after.
+  Contacts same_side, other_side;
+  Nesting nesting_before, nesting_after;
+};
+
+} // namespace abbe

@@ -1,0 +1,141 @@
+#include "geometry/world/boundary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace abbe {
+namespace {
+
+bool before(const Candidate& a, const Candidate& b) {
+  return a.crossing.t != b.crossing.t ? a.crossing.t < b.crossing.t : a.shape < b.shape;
+}
+
+MaterialId material_of(const ShapeTable::Row& row, FaceId face) {
+  if (row.tree) {
+    const auto& tree = *std::get_if<CsgTree>(&row.placed->shape);
+    const MaterialId own = tree.leaves()[static_cast<std::size_t>(face.leaf)].material;
+    if (own.valid()) return own;
+  }
+  return row.material;
+}
+
+/// Point and outward normal of a crossing, in the world.
+void place(const ShapeTable& shapes, const ShapeTable::Row& row, const dvec3& near_point,
+           Hit& hit) {
+  const dvec3 local = row.from_world.inverse_point(near_point);
+  std::visit(
+      [&](const auto& shape) {
+        const dvec3 on_surface = snapped(shape, local, hit.face);
+        hit.point = row.to_world.point(on_surface);
+        hit.normal = row.first_normal >= 0
+                         ? shapes.normal(row, hit.face)
+                         : row.to_world.normal(outward_normal(shape, on_surface, hit.face));
+      },
+      row.placed->shape);
+}
+
+void enter_or_leave(Nesting& nesting, ShapeId shape, bool entering) {
+  const auto* found = std::find(nesting.begin(), nesting.end(), shape);
+  if (!entering && found != nesting.end())
+    nesting.erase(static_cast<std::size_t>(found - nesting.begin()));
+  if (entering && found == nesting.end()) nesting.push_back(shape);
+}
+
+/// The crossing that shows: an opaque or flat shape before glass, then the highest priority, then
+/// the shape defined last (as for medium_of). Never the one that rounding happens to put first.
+const Candidate& shown(const ShapeTable& shapes, const Coincident& crossings) {
+  if (crossings.size() == 1) return crossings[0];
+  const auto rank = [&](const Candidate& c) {
+    const ShapeTable::Row& row = shapes[c.shape];
+    return std::tuple(!row.medium.valid(), row.priority, c.shape);
+  };
+  const Candidate* highest = crossings.begin();
+  for (const Candidate& c : crossings)
+    if (rank(c) > rank(*highest)) highest = &c;
+  return *highest;
+}
+
+[[gnu::always_inline]] inline void touch(Hit& hit, const Candidate& c) {
+  const bool entering = c.crossing.entering;
+  hit.same_side.push_back({c.shape, c.crossing.face, entering ? Side::outside : Side::inside});
+  hit.other_side.push_back({c.shape, c.crossing.face, entering ? Side::inside : Side::outside});
+}
+
+/// Where the ray has not moved, it still lies on the surfaces it lay on: a ray in a corner meets
+/// one wall after another.
+void keep_contacts(Hit& hit, const Contacts& contacts) {
+  for (const SurfaceContact& old : contacts) {
+    const bool crossed =
+        std::any_of(hit.same_side.begin(), hit.same_side.end(),
+                    [&](const SurfaceContact& contact) { return contact.shape == old.shape; });
+    if (crossed) continue;
+    hit.same_side.push_back(old);
+    hit.other_side.push_back(old);
+  }
+}
+
+/// True where rounding cannot tell the place of a crossing from the ray's origin. A root's error is
+/// that of the surface's place, seen along the ray.
+bool has_not_moved(const RayState& state, const ShapeCrossing& crossing, const Hit& hit) {
+  return crossing.t <= crossing.t_error &&
+         crossing.t <= crossing.t_error * std::abs(glm::dot(hit.normal, state.ray.direction));
+}
+
+} // namespace
+
+void NearestCandidates::offer_beside_others(const Candidate& candidate) {
+  for (std::size_t i = kept_.size(); i-- > 0;)
+    if (kept_[i].crossing.t - kept_[i].crossing.t_error > reach_) kept_.erase(i);
+  std::size_t place = kept_.size();
+  while (place > 0 && before(candidate, kept_[place - 1]))
+    --place;
+  kept_.insert(place, candidate);
+}
+
+MediumId medium_of(const ShapeTable& shapes, const Nesting& nesting) {
+  const ShapeTable::Row* prevailing = nullptr;
+  ShapeId owner;
+  for (const ShapeId id : nesting) {
+    const ShapeTable::Row& row = shapes[id];
+    if (!row.medium.valid()) continue;
+    if (prevailing && std::tuple(row.priority, id) < std::tuple(prevailing->priority, owner))
+      continue;
+    prevailing = &row;
+    owner = id;
+  }
+  return prevailing ? prevailing->medium : MediumId{};
+}
+
+bool resolve(const ShapeTable& shapes, const RayState& state, const Coincident& crossings,
+             Hit& hit) {
+  const Candidate& seen = shown(shapes, crossings);
+  const ShapeTable::Row& row = shapes[seen.shape];
+  hit.t = seen.crossing.t;
+  hit.shape = seen.shape;
+  hit.face = seen.crossing.face;
+  hit.entering = seen.crossing.entering;
+  hit.material = material_of(row, hit.face);
+  place(shapes, row, state.ray.at(hit.t), hit);
+
+  hit.same_side.clear();
+  hit.other_side.clear();
+  touch(hit, seen); // the surface that shows comes first
+  hit.nesting_before = state.nesting;
+  hit.nesting_after = state.nesting;
+  bool changes = false;
+  for (const Candidate& c : crossings) {
+    if (c.shape != seen.shape) touch(hit, c);
+    if (!shapes[c.shape].solid) continue;
+    enter_or_leave(hit.nesting_after, c.shape, c.crossing.entering);
+    changes = true;
+  }
+  hit.moved = !has_not_moved(state, seen.crossing, hit);
+  if (hit.t == 0.0) keep_contacts(hit, state.contacts);
+
+  hit.medium_before = medium_of(shapes, hit.nesting_before);
+  hit.medium_after = changes ? medium_of(shapes, hit.nesting_after) : hit.medium_before;
+  return !row.medium.valid() || hit.medium_before != hit.medium_after;
+}
+
+} // namespace abbe

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "geometry/rays/ray_state.h"
+#include "geometry/world/shape_table.h"
+
+#include <algorithm>
+
+namespace abbe {
+
+/// One shape's crossing, as a candidate for what a ray meets next.
+struct Candidate {
+  ShapeId shape;
+  ShapeCrossing crossing;
+};
+
+/// Crossings that rounding cannot tell apart, by distance, then shape.
+using Coincident = ShortVector<Candidate, 8>;
+
+/// The candidates nearest to a ray's origin: all crossings that rounding cannot tell from the
+/// first. The content does not depend on the order in which candidates come.
+class NearestCandidates {
+public:
+  /// Keeps the candidate if it can belong to the nearest boundary. True when it was kept.
+  bool offer(ShapeId shape, const ShapeCrossing& crossing) {
+    if (crossing.t - crossing.t_error > reach_) return false;
+    reach_ = std::min(reach_, crossing.t + crossing.t_error);
+    if (kept_.empty())
+      kept_.push_back({shape, crossing});
+    else
+      offer_beside_others({shape, crossing});
+    return true;
+  }
+  [[nodiscard]] bool empty() const { return kept_.empty(); }
+  void clear() {
+    kept_.clear();
+    reach_ = kInfinity;
+  }
+  /// Beyond this distance nothing can belong to the nearest boundary any more.
+  [[nodiscard]] double reach() const { return reach_; }
+  [[nodiscard]] const Coincident& boundary() const { return kept_; }
+
+private:
+  void offer_beside_others(const Candidate& candidate);
+
+  Coincident kept_;
+  double reach_ = kInfinity;
+};
+
+/// The medium at a place inside these solids; see World::medium_of.
+[[nodiscard]] MediumId medium_of(const ShapeTable& shapes, const Nesting& nesting);
+
+/// What the ray meets at the nearest boundary, all coinciding crossings taken as one. A shape
+/// without a medium (opaque or flat) shows before any other; else the one whose medium prevails.
+/// Writes it to `hit`, whatever that held. False where nothing is to be seen: equal media on both
+/// sides.
+[[nodiscard]] bool resolve(const ShapeTable& shapes, const RayState& state,
+                           const Coincident& crossings, Hit& hit);
+
+} // namespace abbe

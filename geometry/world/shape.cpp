@@ -1,0 +1,138 @@
+#include "geometry/world/shape.h"
+
+#include "geometry/rays/short_vector.h"
+
+namespace abbe {
+
+bool is_solid(const Shape& shape) {
+  if (const auto* mesh = std::get_if<Mesh>(&shape)) return mesh->is_closed();
+  return std::visit([]<class S>(const S&) { return !FlatShape<S>; }, shape);
+}
+
+bool is_bounded(const Shape& shape) {
+  return !std::holds_alternative<Plane>(shape);
+}
+
+bool contains(const PlacedShape& placed, const dvec3& world_point) {
+  const dvec3 p = placed.to_world.inverse_point(world_point);
+  return std::visit(
+      [&](const auto& shape) {
+        if constexpr (requires { signed_distance(shape, p); })
+          return signed_distance(shape, p) < 0.0;
+        else
+          return false;
+      },
+      placed.shape);
+}
+
+Bounds bounds(const PlacedShape& placed) {
+  return std::visit([&](const auto& shape) { return bounds(shape, placed.to_world); },
+                    placed.shape);
+}
+
+std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& ray,
+                                           const ShapeState& state) {
+  const auto contact_on = [&](const FaceId& face, bool inside) -> CsgContact {
+    const bool flipped = tree.leaves()[static_cast<std::size_t>(face.leaf)].flipped;
+    return {face.leaf, {face.face, inside != flipped ? Side::inside : Side::outside}};
+  };
+  thread_local std::vector<Interval> intervals;
+  intervals.clear();
+  if (!state.others.empty()) [[unlikely]] {
+    ShortVector<CsgContact, 8> contacts;
+    if (state.touching) contacts.push_back(contact_on(state.face, state.inside));
+    for (const TouchedFace& other : state.others)
+      contacts.push_back(contact_on(other.face, other.inside));
+    intersect(tree, ray, {contacts.begin(), contacts.size()}, intervals);
+  } else if (state.touching) {
+    const CsgContact contact = contact_on(state.face, state.inside);
+    intersect(tree, ray, {&contact, 1}, intervals);
+  } else {
+    intersect(tree, ray, {}, intervals);
+  }
+
+  if (state.inside) {
+    const Root* just_left = nullptr; // an exit that rounding has put behind the origin
+    for (const Interval& i : intervals) {
+      if (i.exit.t < 0.0) {
+        if (-i.exit.t <= i.exit.t_error) just_left = &i.exit;
+        continue;
+      }
+      if (i.enter.t > i.enter.t_error) break; // a later part of the solid
+      return ShapeCrossing{i.exit.t, i.exit.t_error, i.exit.face, false};
+    }
+    return ShapeCrossing{0.0, 0.0, just_left ? just_left->face : nearest_face(tree, ray.origin),
+                         false};
+  }
+  for (const Interval& i : intervals) {
+    if (i.enter.t >= 0.0) return ShapeCrossing{i.enter.t, i.enter.t_error, i.enter.face, true};
+    if (-i.enter.t <= i.enter.t_error && i.exit.t > -i.enter.t)
+      return ShapeCrossing{0.0, i.enter.t_error, i.enter.face, true};
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+/// What lies ahead of a ray that is inside a closed mesh, or outside.
+struct MeshAhead {
+  MeshCrossings found;
+  bool missed = false; ///< it is not as the crossings would have it
+};
+
+/// Where a ray starts at an edge, rounding may put its line beside the triangle through which it
+/// should go at once. Then the next crossing is of the other kind, or no way leads out. If the two
+/// cannot be told apart, all crossings ahead decide.
+MeshAhead look_ahead(const Mesh& mesh, const LocalRay& ray, std::span<const std::int32_t> touched,
+                     bool inside) {
+  const MeshCrossings found =
+      first_crossings(mesh, ray, touched, inside ? MeshSearch::exit : MeshSearch::enter);
+  const Root& wanted = inside ? found.exit : found.enter;
+  const Root& other = inside ? found.enter : found.exit;
+  const bool missed = [&] {
+    if (other.t == kInfinity) return inside && wanted.t == kInfinity;
+    if (other.t + other.t_error < wanted.t - wanted.t_error) return true;
+    if (wanted.t + wanted.t_error < other.t - other.t_error) return false;
+    const MeshCrossings all = first_crossings(mesh, ray, touched, MeshSearch::sum);
+    return (all.exits_less_entries > 0) != inside;
+  }();
+  return {found, missed};
+}
+
+} // namespace
+
+std::optional<ShapeCrossing> next_crossing(const Mesh& mesh, const LocalRay& ray,
+                                           const ShapeState& state) {
+  ShortVector<std::int32_t, 8> touched;
+  if (state.touching) touched.push_back(state.face.face);
+  for (const TouchedFace& other : state.others)
+    touched.push_back(other.face.face);
+  const std::span<const std::int32_t> touched_faces(touched.begin(), touched.size());
+  if (!mesh.is_closed()) {
+    const MeshCrossings found = first_crossings(mesh, ray, touched_faces, MeshSearch::either);
+    const Root& first = found.enter.t <= found.exit.t ? found.enter : found.exit;
+    if (first.t == kInfinity) return std::nullopt;
+    return ShapeCrossing{first.t, first.t_error, first.face, &first == &found.enter};
+  }
+  MeshAhead ahead = look_ahead(mesh, ray, touched_faces, state.inside);
+  // A ray away from the surface has lost no crossing at its start. Its line runs through a vertex
+  // so closely that the signs of the edges there contradict each other. A line beside it, no
+  // farther off than rounding, tells what is met.
+  if (ahead.missed && !state.touching) {
+    const double rounding = 4.0 * ray.shift_at(0.0, mesh.size());
+    for (int corner = 0; corner < 8 && ahead.missed; ++corner) {
+      LocalRay beside = ray;
+      beside.coordinate_error += 2.0 * rounding; // by sqrt(3) times as much at most
+      for (int axis = 0; axis < 3; ++axis)
+        beside.origin[axis] += (corner >> axis & 1) != 0 ? rounding : -rounding;
+      ahead = look_ahead(mesh, beside, touched_faces, state.inside);
+    }
+  }
+  if (ahead.missed && (state.touching || state.inside))
+    return ShapeCrossing{0.0, 0.0, {0, nearest_face(mesh, ray, !state.inside)}, !state.inside};
+  const Root& wanted = state.inside ? ahead.found.exit : ahead.found.enter;
+  if (wanted.t == kInfinity) return std::nullopt;
+  return ShapeCrossing{wanted.t, wanted.t_error, wanted.face, !state.inside};
+}
+
+} // namespace abbe

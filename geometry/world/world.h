@@ -1,0 +1,71 @@
+#pragma once
+
+#include "geometry/rays/passage.h"
+#include "geometry/rays/ray_state.h"
+#include "geometry/world/shape.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace abbe {
+
+/// Whether rays that run close together are handed to Embree together. The answers are the same.
+enum class Tracing : std::uint8_t { single, packets };
+
+/// The shapes of a scene in Embree's hierarchies. Embree, in single precision, only proposes
+/// candidates; every crossing is found and compared in double, so the answer depends neither on
+/// the order of traversal nor on the width of packets.
+class World {
+public:
+  /// `farthest_coordinate` is the largest magnitude of a coordinate from which rays start outside
+  /// the shapes (cameras, lamps); bounds are padded for it. `embree_config` is what rtcNewDevice
+  /// takes, such as "isa=sse4.2" for a narrow instruction set; null for Embree's own choice. Throws
+  /// std::runtime_error when Embree fails.
+  World(const std::vector<PlacedShape>& shapes, double farthest_coordinate,
+        const char* embree_config = nullptr);
+  ~World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+
+  /// The first visible boundary along the ray. Boundaries between equal media, and those hidden
+  /// inside a solid of higher priority, are passed.
+  [[nodiscard]] std::optional<Hit> closest(const RayState& state) const;
+  /// The same, written where it stays: a copy would cost a good part of the query.
+  void find_closest(const RayState& state, Hit& hit) const;
+  /// The same of boundaries that are surely nearer than `distance`, for a ray that is followed
+  /// straight on. One that rounding cannot tell from the end of the way does not count, as for
+  /// `occluded`.
+  void find_closest(const RayState& state, double distance, Passage& passage, Hit& hit) const;
+  /// The same for rays that run close together; `hits` has the length of `states`.
+  void find_closest(std::span<const RayState> states, std::span<Hit> hits, Tracing tracing) const;
+
+  /// True when a visible boundary (see `closest`) lies between the origin and `distance` along the
+  /// ray. One that rounding cannot tell from the end does not count: a lamp may lie on a surface.
+  [[nodiscard]] bool occluded(const RayState& state, double distance) const;
+
+  // For measurements: the bare query with the callbacks above, and nothing made of what they find.
+  // Both return how many rays met something. Rays go to Embree `width` at a time: 1, 4, 8 or 16.
+  [[nodiscard]] std::size_t replay_closest(std::span<const RayState> states, int width) const;
+  [[nodiscard]] std::size_t replay_occluded(std::span<const RayState> states,
+                                            std::span<const double> distances) const;
+
+  /// The solids around a point; slow (asks each), for cameras and lamps.
+  [[nodiscard]] Nesting nesting_at(const dvec3& point) const;
+  /// The medium at a place inside these solids: that of the highest priority, among equals of
+  /// the shape defined last. Invalid: no solid with a medium.
+  [[nodiscard]] MediumId medium_of(const Nesting& nesting) const;
+
+  [[nodiscard]] const std::vector<PlacedShape>& shapes() const;
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// "3.13.5", as the linked Embree reports it.
+[[nodiscard]] std::string embree_version();
+
+} // namespace abbe
