@@ -45,7 +45,10 @@ std::vector<std::string> similar_names(std::string_view wanted,
   std::vector<std::pair<std::size_t, std::string>> found;
   for (const std::string& name : known) {
     const std::string candidate = lower_case(name);
-    const std::size_t distance = edit_distance(target, candidate);
+    const auto [shorter, longer] = std::minmax(target.size(), candidate.size());
+    const std::size_t distance = longer - shorter > near // each letter too many is a step
+                                     ? longer
+                                     : edit_distance(target, candidate);
     const bool part = is_part(target, candidate) || is_part(candidate, target);
     // A whole part counts as nearly as good as one wrong letter.
     if (distance <= near && distance < target.size())

@@ -10,10 +10,15 @@
 #include "io/files/regular_file.h"
 #include "spectral/data_table.h"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 namespace abbe {
 namespace {
+
+constexpr std::size_t kShownOfLong = 16;
+constexpr std::size_t kLongestWord = 4096; ///< in bytes; no name of a file is longer
 
 bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v';
@@ -45,7 +50,7 @@ public:
       token.kind = TokenKind::word;
       while (!done() && !is_space(front()) &&
              std::string_view("{}!\"").find(front()) == std::string_view::npos)
-        token.text += take();
+        add_to(token.text, token.where);
     }
     return token;
   }
@@ -69,6 +74,15 @@ private:
     return c;
   }
 
+  /// Takes one more byte of the word that begins at `begin`.
+  void add_to(std::string& word, const SourcePosition& begin) {
+    if (word.size() == kLongestWord)
+      throw ReadError(begin, fmt::format("a word is longer than {} bytes", kLongestWord),
+                      fmt::format("it begins with \"{}\"", word.substr(0, kShownOfLong)),
+                      "Break it up, or check that this is the file you meant");
+    word += take();
+  }
+
   void skip_space_and_comments() {
     while (!done() && (is_space(front()) || front() == '!')) {
       if (take() != '!') continue;
@@ -82,7 +96,7 @@ private:
     std::string name;
     take();
     while (!done() && front() != '"' && front() != '\n')
-      name += take();
+      add_to(name, begin);
     if (done() || front() == '\n')
       throw ReadError(begin, "a quoted name has no closing quote",
                       "it must end on the line where it begins", "Add \" after the name");

@@ -29,7 +29,8 @@ struct Token {
 [[nodiscard]] bool is_word(const Token& token, std::string_view word);
 
 /// Cuts a text into tokens, the last of which is an `end`. `file` is only for messages.
-/// Throws ReadError for a quote without its partner and for text that is not text.
+/// Throws ReadError for a quote without its partner, for a word that is longer than any that has a
+/// meaning, and for text that is not text.
 [[nodiscard]] std::vector<Token> tokenize(std::string_view text, const std::string& file);
 
 /// Hands out tokens one by one. Past the end it goes on giving the `end` token.
@@ -42,6 +43,8 @@ public:
   [[nodiscard]] const Token& peek() const { return tokens_[next_]; }
   [[nodiscard]] bool at_end() const { return peek().kind == TokenKind::end; }
   const Token& next();
+  /// The number of all tokens, with the `end`.
+  [[nodiscard]] std::size_t count() const { return tokens_.size(); }
 
 private:
   std::vector<Token> tokens_;
