@@ -94,6 +94,11 @@ void check_view(const SourcePosition& where, const Camera& camera) {
   if (!(glm::length(view) > 0.0))
     throw ReadError(where, "eye and lookAt are the same point", "the camera has no direction",
                     "Move one of them");
+  constexpr double kFarthest = 1e30;
+  if (!(glm::length(view) <= kFarthest))
+    throw ReadError(where, "eye and lookAt are too far apart",
+                    fmt::format("at most {:g} units can be between them", kFarthest),
+                    "Move one of them");
   const double sine = glm::length(glm::cross(glm::normalize(view), camera.up));
   if (!(sine > 1e-9 * glm::length(camera.up)))
     throw ReadError(where, "up has no part across the direction of view",

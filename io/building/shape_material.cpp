@@ -1,5 +1,6 @@
 #include "io/building/shape_material.h"
 
+#include "core/scene/quantity_limits.h"
 #include "spectral/band_grid.h"
 
 #include <fmt/format.h>
@@ -7,17 +8,24 @@
 namespace abbe {
 namespace {
 
-ReadError not_positive(const SourcePosition& where, const Medium& medium) {
+ReadError impossible_index(const SourcePosition& where, const Medium& medium, double lambda_nm,
+                           double n) {
   const bool thesis = std::holds_alternative<ThesisScaled>(medium.index);
-  return {where, "the solid's refractive index is not above 0 at every wavelength",
-          thesis ? "speedOfLight is too small for this vnum" : "its dispersion is too strong",
-          thesis ? "Raise speedOfLight or lower vnum"
-                 : "Check the numbers of its index, or lower dispersionScale"};
+  const auto number = n > 0.0 && n < kMostIndex ? fmt::format("{:.4g}", n) : fmt::format("{:g}", n);
+  return {
+      where,
+      fmt::format("the solid's refractive index is {} at {:g} nm, which no clear medium has",
+                  number, lambda_nm),
+      fmt::format("it must lie between {:g} and {:g} at every wavelength", kLeastIndex, kMostIndex),
+      thesis ? "Check speedOfLight and vnum"
+             : "Check the numbers of its index, or lower dispersionScale"};
 }
 
 void check_index(const SourcePosition& where, const Medium& medium) {
-  for (double lambda_nm = kLowerNm; lambda_nm <= kUpperNm; lambda_nm += kSampleStepNm)
-    if (!(refractive_index(medium.index, lambda_nm) > 0.0)) throw not_positive(where, medium);
+  for (double lambda_nm = kLowerNm; lambda_nm <= kUpperNm; lambda_nm += kSampleStepNm) {
+    const double n = refractive_index(medium.index, lambda_nm);
+    if (!(n >= kLeastIndex && n <= kMostIndex)) throw impossible_index(where, medium, lambda_nm, n);
+  }
 }
 
 } // namespace

@@ -14,10 +14,24 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
+
 namespace abbe {
 namespace {
 
 constexpr double kResidualWorthAWarning = 1e-4;
+
+constexpr int kLeastCode = 200; ///< no glass has an index below 1.2
+
+/// Six digits, and a point and three more where the density stands in the code.
+bool is_glass_code(std::string_view text) {
+  const auto digits = [](std::string_view part) {
+    return std::ranges::all_of(part, [](char c) { return c >= '0' && c <= '9'; });
+  };
+  if (text.size() == 6) return digits(text);
+  return text.size() == 10 && text[6] == '.' && digits(text.substr(0, 6)) && digits(text.substr(7));
+}
 
 void warn_at_keyword(const Arguments& arguments, const Warn& warn, const std::string& message) {
   if (warn) warn(to_string(arguments.keyword().where) + ": " + message);
@@ -33,9 +47,33 @@ WrittenIndex read_cauchy(Arguments& arguments, const Warn&) {
 }
 
 WrittenIndex read_abbe(Arguments& arguments, const Warn&) {
+  return {read_abbe_numbers(arguments), "abbe"};
+}
+
+Dispersion read_abbe_numbers(Arguments& arguments) {
+  const Token at = arguments.reader().peek();
   const double n_d = arguments.number(kIndexRange);
-  return {cauchy_of_abbe(n_d, arguments.number({.meaning = "the Abbe number", .open = true})),
-          "abbe"};
+  if (n_d < 1.0)
+    throw ReadError(at.where, fmt::format("{} with an Abbe number is no medium", at.text),
+                    "below an index of 1 an Abbe number above 0 would mean that n rises with the "
+                    "wavelength",
+                    "Give an n_d of 1 or more, or speedOfLight, cauchy or indexTable");
+  return cauchy_of_abbe(n_d, arguments.number(kAbbeRange));
+}
+
+std::optional<WrittenIndex> read_glass_code(Arguments& arguments) {
+  const Token& token = arguments.reader().peek();
+  if (token.kind != TokenKind::word || !is_glass_code(token.text)) return std::nullopt;
+  const Token code = arguments.reader().next();
+  const int digits = std::stoi(code.text.substr(0, 6));
+  const int index = digits / 1000, abbe = digits % 1000;
+  const double v_d = 0.1 * abbe;
+  if (!kAbbeRange.holds(v_d))
+    throw ReadError(code.where, fmt::format("{} is the code of no glass", code.text),
+                    fmt::format("its last three digits give an Abbe number of {:.1f}", v_d),
+                    "Give a code such as 517642, for n_d 1.517 and V_d 64.2");
+  const double n_d = (index < kLeastCode ? 2.0 : 1.0) + 0.001 * index;
+  return WrittenIndex{cauchy_of_abbe(n_d, v_d), code.text};
 }
 
 Points read_points(Arguments& arguments, const Range& value) {

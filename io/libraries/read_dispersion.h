@@ -3,6 +3,8 @@
 #include "io/text/read_arguments.h"
 #include "spectral/dispersion.h"
 
+#include <optional>
+
 namespace abbe {
 
 // What scenes and material libraries say in the same words about a refractive index.
@@ -21,6 +23,14 @@ struct WrittenIndex {
   Dispersion law;
   std::string name;
 };
+
+/// A glass by the six digits of its code, as the lists of makers give it, if that is what follows:
+/// 603606 has n_d 1.603 and V_d 60.6. Codes that begin with less than 200 are those of indices
+/// above 2. A density may follow a point: 517642.251.
+[[nodiscard]] std::optional<WrittenIndex> read_glass_code(Arguments& arguments);
+
+/// n_d and V_d, two numbers. Throws ReadError where no medium can have them.
+[[nodiscard]] Dispersion read_abbe_numbers(Arguments& arguments);
 
 /// Cauchy's A, B (um^2) and C (um^4).
 [[nodiscard]] WrittenIndex read_cauchy(Arguments& arguments, const Warn& warn);

@@ -11,13 +11,17 @@
 #include "io/libraries/read_lens_prescription.h"
 
 #include "core/cameras/lens_system.h"
+#include "geometry/booleans/lens.h"
+#include "io/libraries/read_dispersion.h"
 #include "io/libraries/read_glass.h"
 #include "io/text/similar_names.h"
 #include "spectral/band_grid.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -27,6 +31,7 @@ namespace {
 /// The lens as far as it is read.
 struct LensFile {
   LensPrescription lens;
+  std::vector<SourcePosition> surfaces_at; ///< of the keywords
   double mm_per_unit = 1.0;
   std::optional<SourcePosition> stop_at; ///< of the keyword
   const Warn& warn;
@@ -50,13 +55,10 @@ void read_stop(LensFile& file, Arguments& arguments) {
   file.lens.stop = file.lens.surfaces.size();
 }
 
-/// The medium behind a surface: air, a glass of the catalogue, or n_d and V_d.
+/// The medium behind a surface: air, a glass of the catalogue or by its code, or n_d and V_d.
 Dispersion read_medium(LensFile& file, Arguments& arguments) {
-  if (arguments.number_follows()) {
-    const double n_d = arguments.number(kIndexRange);
-    const double v_d = arguments.number({.meaning = "the Abbe number", .open = true});
-    return cauchy_of_abbe(n_d, v_d);
-  }
+  if (auto code = read_glass_code(arguments)) return std::move(code->law);
+  if (arguments.number_follows()) return read_abbe_numbers(arguments);
   const Token name = arguments.reader().peek();
   if (is_word(name, "air")) {
     arguments.reader().next();
@@ -83,7 +85,12 @@ void read_surface(LensFile& file, Arguments& arguments) {
   if (arguments.number_follows())
     surface.semi_diameter_mm =
         file.mm_per_unit * arguments.number({.meaning = "half of a diameter", .open = true});
+  if (const auto& height = surface.semi_diameter_mm;
+      height && surface.radius_mm != 0.0 && *height > std::abs(surface.radius_mm))
+    throw ReadError(arguments.keyword().where, "the semi-diameter is larger than the radius",
+                    "a ball has no surface so far from the axis", "Check both numbers");
   file.lens.surfaces.push_back(std::move(surface));
+  file.surfaces_at.push_back(arguments.keyword().where);
 }
 
 struct LensKeyword {
@@ -122,6 +129,31 @@ const LensKeyword& find_keyword(const Token& token) {
                                "The keywords are unit, fNumber, halfField, stop and surface"));
 }
 
+/// A plane that only limits the beam: nobody has to grind it.
+bool is_diaphragm(const LensFile& file, std::size_t i) {
+  const auto& surfaces = file.lens.surfaces;
+  const Dispersion before = i == 0 ? Dispersion(ConstantIndex{1.0}) : surfaces[i - 1].medium_after;
+  return before == surfaces[i].medium_after;
+}
+
+/// Neighbours must not meet where both of them are.
+void check_crossings(const LensFile& file) {
+  const auto& surfaces = file.lens.surfaces;
+  for (std::size_t i = 0; i + 1 < surfaces.size(); ++i) {
+    const PrescribedSurface &front = surfaces[i], &back = surfaces[i + 1];
+    if (!front.semi_diameter_mm || !back.semi_diameter_mm) continue;
+    if (is_diaphragm(file, i) || is_diaphragm(file, i + 1)) continue;
+    const double height = std::min(*front.semi_diameter_mm, *back.semi_diameter_mm);
+    const double gap =
+        front.thickness_mm + sag(back.radius_mm, height) - sag(front.radius_mm, height);
+    if (gap >= 0.0) continue;
+    throw ReadError(
+        file.surfaces_at[i + 1], "this surface crosses the one before it",
+        fmt::format("at {:g} mm from the axis it lies {:.3g} mm before it", height, -gap),
+        "Check the signs of the radii, the thickness and the semi-diameters");
+  }
+}
+
 /// Mistakes that no single line makes.
 void check(const LensFile& file, const std::filesystem::path& path) {
   if (file.lens.surfaces.empty())
@@ -132,6 +164,7 @@ void check(const LensFile& file, const std::filesystem::path& path) {
   if (file.lens.stop == file.lens.surfaces.size())
     throw ReadError(*file.stop_at, "no surface follows stop", "it marks the surface behind it",
                     "Write stop before the surface that is the aperture stop");
+  check_crossings(file);
   try {
     (void)LensSystem(file.lens);
   } catch (const std::invalid_argument& error) {
@@ -151,7 +184,7 @@ std::vector<std::string_view> lens_file_keywords() {
 
 LensPrescription read_lens_prescription_text(std::string_view text,
                                              const std::filesystem::path& path, const Warn& warn) {
-  LensFile file{{}, 1.0, {}, warn, {}};
+  LensFile file{{}, {}, 1.0, {}, warn, {}};
   file.lens.name = path.stem().string();
   TokenReader reader(text, path.string());
   while (!reader.at_end()) {

@@ -9,6 +9,7 @@
 
 #include "io/libraries/read_library.h"
 
+#include "core/scene/quantity_limits.h"
 #include "io/text/similar_names.h"
 #include "spectral/band_grid.h"
 
@@ -76,7 +77,7 @@ Curve read_samples81(Arguments& arguments, const Warn& warn) {
       throw ReadError(token.where, shown(token) + " is not a number",
                       "it stands where " + place + " should",
                       fmt::format("Give {} numbers for {}", kSampleCount, arguments.name()));
-    values.push_back(arguments.number({"a share of light, never negative"}));
+    values.push_back(arguments.number({"a share of light, never negative", 0.0, kMostLight}));
   }
   skip_surplus(arguments, warn);
   return Curve::samples81(std::move(values));

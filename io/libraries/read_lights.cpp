@@ -9,6 +9,7 @@
 
 #include "io/libraries/read_lights.h"
 
+#include "core/scene/quantity_limits.h"
 #include "io/libraries/read_library.h"
 
 #include <array>
@@ -22,7 +23,7 @@ constexpr LibraryWords kWords{"filter", "endfilter"};
 constexpr std::array<LibraryKey<LightSpectrum>, 2> kKeys{{
     {"intensity x",
      [](LightSpectrum& light, Arguments& arguments, const Warn&) {
-       light.intensity = arguments.number({"a factor on the colour"});
+       light.intensity = arguments.number({"a factor on the colour", 0.0, kMostLight});
      }},
     {"colour 81 v380 v385 ... v780",
      [](LightSpectrum& light, Arguments& arguments, const Warn& warn) {

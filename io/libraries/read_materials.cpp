@@ -14,6 +14,7 @@
 
 #include "io/libraries/read_materials.h"
 
+#include "core/scene/quantity_limits.h"
 #include "io/libraries/read_absorption.h"
 #include "io/libraries/read_dispersion.h"
 #include "io/libraries/read_glass.h"
@@ -30,7 +31,7 @@ namespace {
 constexpr LibraryWords kWords{"def", "endmaterial"};
 
 constexpr Range kFraction{"a fraction of the light", 0.0, 1.0};
-constexpr Range kAmount{"a factor on the colour"};
+constexpr Range kAmount{"a factor on the colour", 0.0, kMostLight};
 
 /// A key that sets one number of the entry.
 template <double LibraryMaterial::* member>
@@ -61,7 +62,7 @@ constexpr std::array<LibraryKey<LibraryMaterial>, 23> kKeys{{
     {"reflectivity x", set_fraction<&LibraryMaterial::reflectivity>},
     {"specularExponent e",
      [](LibraryMaterial& entry, Arguments& arguments, const Warn&) {
-       entry.specular_exponent = arguments.number({"the exponent of the highlight"});
+       entry.specular_exponent = arguments.number({"the exponent of the highlight", 0.0, 1e9});
      }},
     {"transparency x", set_fraction<&LibraryMaterial::transparency>},
     {"diffuseAmount x", set_amount<&LibraryMaterial::diffuse>},
@@ -79,6 +80,10 @@ constexpr std::array<LibraryKey<LibraryMaterial>, 23> kKeys{{
     {"glass NAME",
      [](LibraryMaterial& entry, Arguments& arguments, const Warn&) {
        refuse_second_index(entry, arguments);
+       if (auto code = read_glass_code(arguments)) {
+         entry.law = std::move(code->law);
+         return;
+       }
        entry.glass = &read_glass(arguments);
      }},
     {kCauchyUsage, set_law<read_cauchy>},

@@ -8,6 +8,7 @@
 //   drops 1e-6  dropSun 0               ! lit by parallel light from a point
 
 #include "core/drops/drop_phase_function.h"
+#include "io/libraries/read_dispersion.h"
 #include "io/libraries/read_glass.h"
 #include "io/scene_language/read_scene_state.h"
 
@@ -20,7 +21,8 @@ namespace abbe {
 namespace {
 
 void read_drops(SceneState& state, Arguments& arguments) {
-  const double extinction = arguments.number({.meaning = "an extinction per mm", .open = true});
+  const double extinction =
+      arguments.number({.meaning = "an extinction per mm", .highest = 1e9, .open = true});
   Material clear;
   clear.transparency = Curve::constant(1.0);
   clear.fresnel = false;
@@ -40,8 +42,10 @@ Drops& current_drops(SceneState& state, const Arguments& arguments) {
 
 void read_drop_index(SceneState& state, Arguments& arguments) {
   Drops& drops = current_drops(state, arguments);
-  if (arguments.number_follows()) {
-    drops.index = ConstantIndex{arguments.number({"the index of a drop in air", 1.0})};
+  if (auto code = read_glass_code(arguments)) {
+    drops.index = std::move(code->law);
+  } else if (arguments.number_follows()) {
+    drops.index = ConstantIndex{arguments.number({"the index of a drop in air", 1.0, 10.0})};
   } else if (is_word(arguments.reader().peek(), "water")) {
     arguments.reader().next();
     drops.index = water_in_air();

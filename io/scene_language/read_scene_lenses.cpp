@@ -58,7 +58,7 @@ void read_cemented(SceneState& state, Arguments& arguments) {
   lens.thickness = 0.0; // the first vertex is at z = 0
   for (std::int64_t i = 0; i < count; ++i) {
     const SourcePosition where = arguments.reader().peek().where;
-    const CurrentMaterial material = clear_glass(state, where, read_glass(arguments));
+    const CurrentMaterial material = read_clear_glass(state, arguments);
     lens.front_vertex = lens.back_vertex();
     lens.front_radius = lens.back_radius;
     lens.thickness = arguments.number(kThickness);

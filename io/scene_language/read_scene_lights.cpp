@@ -17,10 +17,12 @@
 #include "spectral/radiator.h"
 #include "spectral/rgb_spectrum.h"
 
+#include "core/scene/quantity_limits.h"
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -148,7 +150,13 @@ void read_environment_picture(SceneState& state, Arguments& arguments) {
           : look_up_light(state.libraries, arguments.name_token("the name of a spectrum"),
                           state.warn);
   if (arguments.number_follows())
-    environment.factor = arguments.number({"a factor on the picture"});
+    environment.factor = arguments.number({"a factor on the picture", 0.0, kMostLight});
+  const auto most = std::ranges::max_element(environment.rgb);
+  if (most != environment.rgb.end() && *most * environment.factor > kMostLight)
+    throw ReadError(
+        name.where, fmt::format("{} is too bright", shown(name)),
+        fmt::format("a component of it times the factor is {:g}", *most * environment.factor),
+        fmt::format("Give a factor that keeps it below {:g}", kMostLight));
   state.scene.environment = std::move(environment);
 }
 
@@ -158,7 +166,7 @@ void read_falloff(SceneState& state, Arguments& arguments) {
 }
 
 void read_intensity(SceneState& state, Arguments& arguments) {
-  state.light.intensity = arguments.number({"a factor on the lights that follow"});
+  state.light.intensity = arguments.number({"a factor on the lights that follow", 0.0, kMostLight});
 }
 
 void read_soft_edge(SceneState& state, Arguments& arguments) {

@@ -26,6 +26,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kDeepest = 200; ///< more inside each other would exhaust the call stack
+/// All words that macros and included files bring; each may be a shape of some hundred bytes.
+constexpr std::size_t kMostExpanded = 10'000'000;
 
 /// The tokens after `{` up to its `}`, and an end that names the macro.
 std::vector<Token> read_body(Arguments& arguments, const Token& name) {
@@ -79,6 +81,17 @@ void check_depth(const SceneState& state, const SourcePosition& where) {
                     fmt::format("at most {} are read", kDeepest), "Nest fewer of them");
 }
 
+/// Counts the words that `what` brings, before they are read.
+void check_expansion(SceneState& state, const SourcePosition& where, std::size_t count,
+                     const std::string& what) {
+  state.expanded += count;
+  if (state.expanded > kMostExpanded)
+    throw ReadError(
+        where, fmt::format("the scene grows too large at {}", what),
+        fmt::format("macros and included files bring more than {} words in all", kMostExpanded),
+        "Use fewer macros inside each other, or a mesh for many shapes");
+}
+
 const Macro& find_macro(const SceneState& state, const Token& name) {
   if (const auto known = state.macro_names.find(name.text)) return state.macros[*known];
   std::vector<std::string> names;
@@ -103,6 +116,7 @@ void read_use(SceneState& state, Arguments& arguments) {
                     "Remove this use");
   }
   check_depth(state, name.where);
+  check_expansion(state, name.where, macro.body.size(), "macro " + macro.name);
   open.push_back(macro.name);
   read_statements(state, TokenReader(macro.body),
                   fmt::format(" [in macro {}, defined at {}, used at {}]", macro.name,
@@ -122,8 +136,10 @@ void read_include(SceneState& state, Arguments& arguments) {
     throw ReadError(name.where, fmt::format("\"{}\" includes itself", file.string()),
                     "it is being read already", "Remove this include");
   check_depth(state, name.where);
+  TokenReader reader(read_text_file(file), file.string());
+  check_expansion(state, name.where, reader.count(), shown(name));
   open.push_back(path);
-  read_statements(state, TokenReader(read_text_file(file), file.string()),
+  read_statements(state, std::move(reader),
                   fmt::format(" [included at {}]", to_string(name.where)));
   open.pop_back();
 }

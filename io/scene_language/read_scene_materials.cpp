@@ -45,7 +45,8 @@ void read_emissive_sides(SceneState& state, Arguments& arguments) {
 
 void read_exponent(SceneState& state, Arguments& arguments) {
   require_unmixed(state, arguments);
-  state.material.finish.specular_exponent = arguments.number({"the exponent of the highlight"});
+  state.material.finish.specular_exponent =
+      arguments.number({"the exponent of the highlight", 0.0, 1e9});
 }
 
 void read_reflectivity(SceneState& state, Arguments& arguments) {
@@ -86,9 +87,8 @@ void read_default_materials(SceneState& state, Arguments&) {
   state.material = CurrentMaterial{};
 }
 
-void read_clear_glass(SceneState& state, Arguments& arguments) {
-  const Glass& glass = read_glass(arguments);
-  state.material = clear_glass(state, arguments.keyword().where, glass);
+void read_glass_keyword(SceneState& state, Arguments& arguments) {
+  state.material = read_clear_glass(state, arguments);
 }
 
 /// Clear glass of a law that is written out.
@@ -142,7 +142,7 @@ constexpr std::array kKeywords{
     SceneKeyword{"vnum v", read_vnum, true},
     SceneKeyword{"fresnel on|off", read_fresnel, true},
     SceneKeyword{"defaultMaterials", read_default_materials, true},
-    SceneKeyword{"glass NAME", read_clear_glass, true},
+    SceneKeyword{"glass NAME", read_glass_keyword, true},
     SceneKeyword{"metal NAME", read_metal_mirror, true},
     SceneKeyword{kCauchyUsage, read_law_glass<read_cauchy>, true},
     SceneKeyword{kAbbeUsage, read_law_glass<read_abbe>, true},
@@ -168,7 +168,11 @@ LinearRgb read_fraction_rgb(SceneState& state, Arguments& arguments) {
   return color;
 }
 
-CurrentMaterial clear_glass(SceneState& state, const SourcePosition& where, const Glass& glass) {
+CurrentMaterial read_clear_glass(SceneState& state, Arguments& arguments) {
+  if (auto code = read_glass_code(arguments))
+    return clear_material({std::move(code->name), std::move(code->law), Curve::constant(0.0)});
+  const SourcePosition where = arguments.keyword().where;
+  const Glass& glass = read_glass(arguments);
   state.builder.warn_of_extrapolation(where, glass, state.warn);
   return clear_glass(glass);
 }

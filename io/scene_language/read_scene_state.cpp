@@ -1,5 +1,6 @@
 #include "io/scene_language/read_scene_state.h"
 
+#include "core/scene/quantity_limits.h"
 #include "spectral/rgb_spectrum.h"
 
 #include <utility>
@@ -11,7 +12,7 @@ void warn_at(const SceneState& state, const SourcePosition& where, const std::st
 }
 
 LinearRgb read_rgb(Arguments& arguments) {
-  constexpr Range kComponent{"a component of a linear sRGB colour"};
+  constexpr Range kComponent{"a component of a linear sRGB colour", 0.0, kMostLight};
   const double r = arguments.number(kComponent);
   const double g = arguments.number(kComponent);
   return {r, g, arguments.number(kComponent)};
@@ -22,7 +23,7 @@ Curve read_emission(SceneState& state, Arguments& arguments) {
   const Token name = arguments.name_token("a colour or the name of a spectrum");
   const Curve spectrum = look_up_light(state.libraries, name, state.warn);
   if (!arguments.number_follows()) return spectrum;
-  return spectrum.scaled(arguments.number({"a factor on the spectrum"}));
+  return spectrum.scaled(arguments.number({"a factor on the spectrum", 0.0, kMostLight}));
 }
 
 void place_shape(SceneState& state, const SourcePosition& where, Shape shape,

@@ -92,6 +92,7 @@ struct SceneState {
   std::vector<Macro> macros;
   std::vector<std::string> open_macros;          ///< being used, each by the one before it
   std::vector<std::filesystem::path> open_files; ///< being read, each included by the one before
+  std::size_t expanded = 0; ///< words that macros and included files have brought so far
 
   std::optional<SourcePosition> camera_at; ///< of the last keyword that moves the camera
   std::optional<SourcePosition> crop_at;
@@ -160,9 +161,9 @@ void warn_at(const SceneState& state, const SourcePosition& where, const std::st
 /// Throws where the current material is a mixture, which has no finish to be changed.
 void require_unmixed(const SceneState& state, const Arguments& arguments);
 
-/// The material that the keyword `glass` sets. Warns of a glass that is extrapolated.
-[[nodiscard]] CurrentMaterial clear_glass(SceneState& state, const SourcePosition& where,
-                                          const Glass& glass);
+/// A glass of the catalogue or by its code, as the material that the keyword `glass` sets. Warns of
+/// a glass that is extrapolated.
+[[nodiscard]] CurrentMaterial read_clear_glass(SceneState& state, Arguments& arguments);
 
 /// Reads what follows the keyword `polyhedron`.
 [[nodiscard]] ConvexPolyhedron read_polyhedron(Arguments& arguments);

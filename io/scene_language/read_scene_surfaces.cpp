@@ -2,10 +2,12 @@
 //
 //   metal Al        roughness 0.3                ! brushed, alike in all directions
 //   glass N-BK7     thinFilm 100 1.38            ! an anti-reflection coating
-//   speedOfLight 1  transparency 1  reflectivity 1  thinFilm 400 water-20C   ! a soap bubble
+//   speedOfLight 1  transparency 1  reflectivity 1  ambient 0 0 0  diffuse 0 0 0  ! and for
+//   thinFilm 400 water-20C                       ! a soap bubble
 //   diffuse 0.7 0.1 0.1  coat 1.5                ! plastic
 //   thinGlass 4 N-BK7    absorption 0.002        ! a window, of which this is all
 
+#include "io/libraries/read_dispersion.h"
 #include "io/libraries/read_glass.h"
 #include "io/scene_language/read_scene_state.h"
 
@@ -24,11 +26,11 @@ void read_compensation(SceneState& state, Arguments& arguments) {
   state.material.finish.compensation = arguments.on_off();
 }
 
-/// A number, or a glass of the catalogue.
+/// A number, or a glass of the catalogue or by its code.
 Dispersion read_index(SceneState& state, Arguments& arguments) {
+  if (auto code = read_glass_code(arguments)) return std::move(code->law);
   if (arguments.number_follows()) return ConstantIndex{arguments.number(kIndexRange)};
-  const Glass& glass = read_glass(arguments);
-  return clear_glass(state, arguments.keyword().where, glass).medium.index;
+  return read_clear_glass(state, arguments).medium.index;
 }
 
 void read_thin_film(SceneState& state, Arguments& arguments) {
@@ -46,13 +48,7 @@ void read_coat(SceneState& state, Arguments& arguments) {
 void read_thin_glass(SceneState& state, Arguments& arguments) {
   constexpr Range kThickness{"a thickness in mm", 0.0, 1e6};
   const double mm = arguments.number(kThickness);
-  if (arguments.number_follows()) {
-    state.material =
-        clear_material({"", ConstantIndex{arguments.number(kIndexRange)}, Curve::constant(0.0)});
-  } else {
-    const Glass& glass = read_glass(arguments);
-    state.material = clear_glass(state, arguments.keyword().where, glass);
-  }
+  state.material = clear_material({"", read_index(state, arguments), Curve::constant(0.0)});
   state.material.finish.pane = ThinPane{mm, ConstantIndex{1.0}, Curve::constant(0.0)};
 }
 

@@ -86,7 +86,7 @@ TEST_CASE("what does not go together is refused with the place that the caller g
   ShapeMaterial hollow = clear_material({"nothing", ConstantIndex{0.0}, Curve::constant(0.0)});
   CHECK(error_of([&] {
           add_sphere(builder, hollow);
-        }).starts_with("ball.gltf, node 3: the solid's refractive index is not above 0"));
+        }).starts_with("ball.gltf, node 3: the solid's refractive index is 0 at"));
   CHECK(builder.scene().shapes.empty());
   CHECK(error_of([&] {
           (void)builder.mix(kHere, clear_glass(*find_glass("N-BK7")),

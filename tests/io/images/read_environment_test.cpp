@@ -213,7 +213,7 @@ TEST_CASE("errors of environments") {
   }
   CHECK(pictures.error("environment sky.exr -1") ==
         "s.sdl:1:21: -1 is out of range for environment (it is a factor on the picture). Give a "
-        "number 0 or more");
+        "number from 0 to 1000000000000000");
   CHECK(pictures.error("scale 1 2 1 environment sky.exr") ==
         "s.sdl:1:13: the current transform stretches the environment (angles would no longer be "
         "those of the picture). Give it before the scale, or scale all axes alike");

@@ -82,7 +82,7 @@ TEST_CASE("errors of a light library") {
         "numbers for colour");
   CHECK(error_of("filter a { colour 81 -1 }") ==
         "l.filter:1:22: -1 is out of range for colour (it is a share of light, never negative). "
-        "Give a number 0 or more");
+        "Give a number from 0 to 1000000000000000");
   CHECK(error_of("filter a {\n" + colour + "\n0 0.25 }") ==
         "l.filter:3:3: 0.25 is one of too many values for colour (81 samples at 380, 385 ... 780 "
         "nm are read; only zeros may follow). Remove it, or look for one given twice");
@@ -97,7 +97,7 @@ TEST_CASE("errors of a light library") {
         "as 2, -0.5 or 1e-3");
   CHECK(error_of("filter a { intensity -1 }") ==
         "l.filter:1:22: -1 is out of range for intensity (it is a factor on the colour). Give a "
-        "number 0 or more");
+        "number from 0 to 1000000000000000");
   CHECK(error_of("filter a intensity 1") ==
         "l.filter:1:10: \"{\" is missing before \"intensity\" (an entry is filter NAME { keys }). "
         "Add it after the name");

@@ -95,19 +95,19 @@ TEST_CASE("errors of a material library") {
         "number from 0 to 1");
   CHECK(error_of("def a { diffuseAmount -1 }") ==
         "m.mtl:1:23: -1 is out of range for diffuseAmount (it is a factor on the colour). Give a "
-        "number 0 or more");
+        "number from 0 to 1000000000000000");
   CHECK(error_of("def a { specularExponent -1 }") ==
         "m.mtl:1:26: -1 is out of range for specularExponent (it is the exponent of the "
-        "highlight). Give a number 0 or more");
+        "highlight). Give a number from 0 to 1000000000");
   CHECK(error_of("def a { speedOfLight 0 }") ==
         "m.mtl:1:22: 0 is out of range for speedOfLight (it is the refractive index). Give a "
-        "number more than 0");
+        "number from 0.1 to 10");
   CHECK(error_of("def a { Vnum -1 }") ==
         "m.mtl:1:14: -1 is out of range for Vnum (it is a factor on the dispersion of quartz). "
         "Give a number 0 or more");
   CHECK(error_of("def a { absorption -1 }") ==
         "m.mtl:1:20: -1 is out of range for absorption (it is an absorption per mm). Give a number "
-        "0 or more");
+        "from 0 to 1000000000");
   CHECK(error_of("def a { glass N-BK8 }") ==
         "m.mtl:1:15: unknown glass \"N-BK8\" (no such name in the glass catalogue). Did you mean "
         "N-BK7?");

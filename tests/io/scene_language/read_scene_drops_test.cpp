@@ -53,10 +53,10 @@ TEST_CASE("drops fill booleans") {
 
 TEST_CASE("errors of drops") {
   CHECK(scene_error("drops 0") == "s.sdl:1:7: 0 is out of range for drops (it is an extinction per "
-                                  "mm). Give a number more than 0");
+                                  "mm). Give a number more than 0 and less than 1000000000");
   CHECK(scene_error("drops 1 dropIndex 0.9") ==
         "s.sdl:1:19: 0.9 is out of range for dropIndex (it is the index of a drop in air). Give a "
-        "number 1 or more");
+        "number from 1 to 10");
   CHECK(scene_error("drops 1 dropIndex N-BK77")
             .starts_with(
                 "s.sdl:1:19: unknown glass \"N-BK77\" (no such name in the glass catalogue)"));

@@ -53,10 +53,10 @@ TEST_CASE("errors of arguments") {
 TEST_CASE("errors of settings") {
   CHECK(scene_error("background 0 0 -1") ==
         "s.sdl:1:16: -1 is out of range for background (it is a component of a linear sRGB "
-        "colour). Give a number 0 or more");
+        "colour). Give a number from 0 to 1000000000000000");
   CHECK(scene_error("background E -1") ==
         "s.sdl:1:14: -1 is out of range for background (it is a factor on the spectrum). Give a "
-        "number 0 or more");
+        "number from 0 to 1000000000000000");
   CHECK(scene_error("globalAmbient {") ==
         "s.sdl:1:15: \"{\" stands where a colour or the name of a spectrum should (globalAmbient "
         "takes r g b | SPECTRUM [factor]). Give a name; one with spaces goes in double quotes");

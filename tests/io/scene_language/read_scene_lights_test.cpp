@@ -139,7 +139,7 @@ TEST_CASE("errors of lights") {
         "it comes from). Give a direction such as 0 1 0, or the locality 1");
   CHECK(scene_error("light 0 0 0 1 1 -1") ==
         "s.sdl:1:17: -1 is out of range for light (it is a component of a linear sRGB colour). "
-        "Give a number 0 or more");
+        "Give a number from 0 to 1000000000000000");
   CHECK(scene_error("spotlight E 0 0 0 0 1 0 0 5") ==
         "s.sdl:1:19: a spotlight has the locality 0 (a cone begins at a position). Give the "
         "locality 1");
@@ -160,7 +160,7 @@ TEST_CASE("errors of lights") {
         "degrees). Give a number from 0 to 90");
   CHECK(scene_error("intensity -1") ==
         "s.sdl:1:11: -1 is out of range for intensity (it is a factor on the lights that follow). "
-        "Give a number 0 or more");
+        "Give a number from 0 to 1000000000000000");
   CHECK(scene_error("falloff linear") ==
         "s.sdl:1:9: \"linear\" is no choice of falloff (falloff takes none|square). Give none or "
         "square");

@@ -69,7 +69,7 @@ TEST_CASE("errors of metals and coloured glass") {
         "in). Give a glass, or remove it");
   CHECK(scene_error("absorptionTable 1 500 -1") ==
         "s.sdl:1:23: -1 is out of range for absorptionTable (it is an absorption per mm). Give a "
-        "number 0 or more");
+        "number from 0 to 1000000000");
   CHECK(scene_error("internalTransmittance 2 0 0 1") ==
         "s.sdl:1:23: 2 is out of range for internalTransmittance (it is a share of light that "
         "passes, linear sRGB). Give a number from 0 to 1");

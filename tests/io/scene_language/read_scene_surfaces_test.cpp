@@ -96,7 +96,7 @@ TEST_CASE("errors of surfaces") {
         "s.sdl:1:10: -1 is out of range for thinFilm (it is a thickness in nm, 0 for none). Give a "
         "number from 0 to 1000000");
   CHECK(scene_error("thinFilm 100 0") == "s.sdl:1:14: 0 is out of range for thinFilm (it is the "
-                                         "refractive index). Give a number more than 0");
+                                         "refractive index). Give a number from 0.1 to 10");
   CHECK(scene_error("coat Perspex").find("s.sdl:1:6: unknown glass \"Perspex\"") == 0);
   CHECK(scene_error("coat") == "s.sdl:1:5: the end of the file stands where the name of a glass "
                                "should (coat takes n|GLASS). Give a name; one with spaces goes in "
