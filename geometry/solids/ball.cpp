@@ -11,8 +11,8 @@ namespace abbe {
 Ball image_of_unit_ball(const Transform& map) {
   const std::array<dvec3, 3> axes{map.vector({1.0, 0.0, 0.0}), map.vector({0.0, 1.0, 0.0}),
                                   map.vector({0.0, 0.0, 1.0})};
-  // No direction is stretched by more than the largest eigenvalue's root of M^T M, which no row's
-  // sum of magnitudes falls short of for all rows [Gershgorin].
+  // No direction is stretched by more than the root of the largest eigenvalue of M^T M, and that
+  // eigenvalue is at most the largest sum of a row's magnitudes [Gershgorin31].
   double most = 0.0;
   for (const dvec3& x : axes) {
     double sum = 0.0;
