@@ -25,14 +25,14 @@ Ball image_of_unit_ball(const Transform& map) {
 
 Ball ball_around_common(const Ball& a, const Ball& b) {
   const Ball& smaller = a.radius < b.radius ? a : b;
-  const dvec3 way = b.center - a.center;
-  const double distance = glm::length(way);
+  const dvec3 separation = b.center - a.center;
+  const double distance = glm::length(separation);
   if (!(distance > 0.0)) return smaller;
   // The circle's plane lies so far from a's centre.
   const double height = 0.5 * (distance + (a.radius - b.radius) * (a.radius + b.radius) / distance);
   if (height < 0.0 || height > distance) return smaller; // it is not between the centres
   const double radius2 = (a.radius - height) * (a.radius + height);
-  return {a.center + way * (height / distance), std::sqrt(std::max(0.0, radius2))};
+  return {a.center + separation * (height / distance), std::sqrt(std::max(0.0, radius2))};
 }
 
 } // namespace abbe
