@@ -120,12 +120,12 @@ void LightPaths::shade() {
 /// A sub-bundle towards something that mirrors or refracts: what comes that way to a surface that
 /// the camera sees would reach it by rare and strong photons otherwise.
 void LightPaths::branch_off_to_specular(const Hit& hit) {
-  const DirectionSample way = towards(emission_.targets(), hit.point, numbers(kDirection));
-  if (!(scattering_.evaluate(way.direction, light_.data()) > 0.0)) return;
-  const bool through = (glm::dot(way.direction, hit.normal) > 0.0) != hit.entering;
-  Bundle& next = branch_off(bundle().bands, light_.data(), 1.0 / way.pdf);
-  set_off(bundle(), way.direction, through, RayKind::scattered, next);
-  next.pdf = way.pdf;
+  const DirectionSample chosen = towards(emission_.targets(), hit.point, numbers(kDirection));
+  if (!(scattering_.evaluate(chosen.direction, light_.data()) > 0.0)) return;
+  const bool through = (glm::dot(chosen.direction, hit.normal) > 0.0) != hit.entering;
+  Bundle& next = branch_off(bundle().bands, light_.data(), 1.0 / chosen.pdf);
+  set_off(bundle(), chosen.direction, through, RayKind::scattered, next);
+  next.pdf = chosen.pdf;
   next.nonspecular_bounces = 1;
 }
 

@@ -75,9 +75,9 @@ void PhotonMap::for_each_near(const Hit& hit, bool both_sides, Visit&& visit) co
   for (std::size_t c = 0; c < count; ++c)
     for (std::uint32_t i = begins_[cells[c]]; i < begins_[cells[c] + 1]; ++i) {
       const Photon& photon = photons_[i];
-      const dvec3 way = photon.position - hit.point;
-      if (glm::dot(way, way) >= radius_ * radius_) continue;
-      if (std::abs(glm::dot(way, normal)) > kFlatness * radius_) continue;
+      const dvec3 offset = photon.position - hit.point;
+      if (glm::dot(offset, offset) >= radius_ * radius_) continue;
+      if (std::abs(glm::dot(offset, normal)) > kFlatness * radius_) continue;
       const double likeness = glm::dot(photon.normal, normal);
       if ((both_sides ? std::abs(likeness) : likeness) < kLikeNormals) continue;
       visit(photon, flux_.data() + photon.flux);

@@ -18,15 +18,15 @@ const float* ShadowRays::transmittance(const RayState& towards_light, double dis
   return along(towards_light, distance, bands, wavelengths, counts);
 }
 
-const float* ShadowRays::along(const RayState& way, double distance, BandRange bands,
+const float* ShadowRays::along(const RayState& state, double distance, BandRange bands,
                                PathWavelengths& wavelengths, RayCounts& counts) {
   through_glass_ = false;
   if (!through_refracting() && !plan_.dims_on_the_way()) {
-    counts.add_any_hit(RayKind::shadow, way, distance);
-    return world_.occluded(way, distance) ? nullptr : ones_.data();
+    counts.add_any_hit(RayKind::shadow, state, distance);
+    return world_.occluded(state, distance) ? nullptr : ones_.data();
   }
   std::fill(transmittance_.begin(), transmittance_.end(), 1.0f);
-  return attenuate(way, distance, bands, wavelengths, counts) ? transmittance_.data() : nullptr;
+  return attenuate(state, distance, bands, wavelengths, counts) ? transmittance_.data() : nullptr;
 }
 
 bool ShadowRays::attenuate(RayState state, double distance, BandRange bands,
@@ -38,9 +38,9 @@ bool ShadowRays::attenuate(RayState state, double distance, BandRange bands,
     counts.add(RayKind::shadow, state);
     // Of what lies at the end of the way nothing counts: rounding must not decide whether it does.
     world_.find_closest(state, distance, passage, hit);
-    const double way = hit.met() ? hit.t : distance;
+    const double length = hit.met() ? hit.t : distance;
     const MediumId medium = hit.met() ? hit.medium_before : world_.medium_of(state.nesting);
-    absorb(plan_.medium(medium), way, left);
+    absorb(plan_.medium(medium), length, left);
     if (!hit.met()) return true;
     const MaterialPlan& material = plan_.materials[hit.material.index()];
     if (!plan_.unseen(hit)) {

@@ -20,7 +20,7 @@ public:
                                            BandRange bands, PathWavelengths& wavelengths,
                                            RayCounts& counts);
   /// The same along any straight way, whatever the scene says of shadows.
-  [[nodiscard]] const float* along(const RayState& way, double distance, BandRange bands,
+  [[nodiscard]] const float* along(const RayState& state, double distance, BandRange bands,
                                    PathWavelengths& wavelengths, RayCounts& counts);
   /// True when the last one that arrived went through glass.
   [[nodiscard]] bool through_glass() const { return through_glass_; }
