@@ -22,7 +22,8 @@ bool alike(const double* n, int first, int last) {
 }
 
 bool one_boundary(const Incidence& in) {
-  return alike(in.n_before, in.first, in.last) && alike(in.n_after, in.first, in.last);
+  return alike(in.n_before, in.bands.first, in.bands.last) &&
+         alike(in.n_after, in.bands.first, in.bands.last);
 }
 
 struct Parts {
@@ -45,9 +46,9 @@ float passed_straight(bool fresnel, double cos_o, double eta) {
 }
 
 void filmed(const Dielectric& surface, const Incidence& in, const SpecularFactors& out) {
-  thin_film_reflectances(in.cos_o(), in.n_before, in.n_layer, in.n_after, surface.film.thickness_nm,
-                         in.lambda_nm, in.first, in.last, out.reflected);
-  for (int b = in.first; b < in.last; ++b) {
+  thin_film_reflectances(in.cos_o(), in.n_before, surface.film.optics(in), in.n_after,
+                         {out.reflected, in.bands});
+  for (int b = in.bands.first; b < in.bands.last; ++b) {
     const auto reflected = static_cast<double>(out.reflected[b]);
     const double ratio = in.transport == Transport::radiance ? in.n_before[b] / in.n_after[b] : 1.0;
     out.reflected[b] = static_cast<float>(reflected * static_cast<double>(surface.reflectivity[b]));
@@ -60,7 +61,7 @@ void pass_film(const Dielectric& surface, const Incidence& in, float* transmitta
   const SurfaceOptics optics = surface.optics(in);
   SurfaceOptics reversed = optics;
   std::swap(reversed.n_before, reversed.n_after);
-  for (int b = in.first; b < in.last; ++b) {
+  for (int b = in.bands.first; b < in.bands.last; ++b) {
     const SurfaceOptics& thin_first = in.n_before[b] <= in.n_after[b] ? optics : reversed;
     transmittance[b] *= static_cast<float>(thin_first.fractions(b, in.cos_o()).transmitted *
                                            optics.transmission_scale(b));
@@ -81,7 +82,7 @@ void Dielectric::specular(const Incidence& in, const SpecularFactors& out) const
   const double cos_o = in.cos_o();
   const double* n_before = in.n_before;
   const double* n_after = in.n_after;
-  const int first = in.first, last = in.last;
+  const auto [first, last] = in.bands;
   if (one_boundary(in)) {
     const Parts p = parts(fresnel, cos_o, n_before[first], n_after[first], in.transport);
     for (int b = first; b < last; ++b) {
@@ -108,12 +109,12 @@ void Dielectric::pass_straight(const Incidence& in, float* transmittance) const 
   const double cos_o = in.cos_o();
   if (one_boundary(in)) {
     const float passed =
-        passed_straight(fresnel, cos_o, in.n_after[in.first] / in.n_before[in.first]);
-    for (int b = in.first; b < in.last; ++b)
+        passed_straight(fresnel, cos_o, in.n_after[in.bands.first] / in.n_before[in.bands.first]);
+    for (int b = in.bands.first; b < in.bands.last; ++b)
       transmittance[b] *= passed * transmit[b];
     return;
   }
-  for (int b = in.first; b < in.last; ++b)
+  for (int b = in.bands.first; b < in.bands.last; ++b)
     transmittance[b] *=
         passed_straight(fresnel, cos_o, in.n_after[b] / in.n_before[b]) * transmit[b];
 }

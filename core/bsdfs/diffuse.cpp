@@ -12,7 +12,7 @@ namespace abbe {
 double Diffuse::evaluate(const Incidence& in, const dvec3& wi, float* f_cos) const {
   const double pdf = wi.z / std::numbers::pi;
   const auto lambert = static_cast<float>(pdf);
-  for (int b = in.first; b < in.last; ++b)
+  for (int b = in.bands.first; b < in.bands.last; ++b)
     f_cos[b] = in.ground[b] * lambert;
   return pdf;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "core/bands/band_range.h"
 #include "core/optics/surface_optics.h"
+#include "core/optics/transport.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -12,11 +14,11 @@ namespace abbe {
 using glm::dvec2;
 using glm::dvec3;
 
-/// A bundle of bands that meets a surface, as a BSDF sees it. Arrays are over bands; of each,
-/// [first, last) is meant. Directions are in the frame of the surface: +z is its normal on the side
-/// that the ray comes from, and both point away from it.
+/// A bundle of bands that meets a surface, as a BSDF sees it. Arrays are over bands; of each only
+/// `bands` are meant, as they are of the rows that a BSDF fills. Directions are in the frame of the
+/// surface: +z is its normal on the side that the ray comes from, and both point away from it.
 struct Incidence {
-  int first = 0, last = 0;
+  BandRange bands;
   const double* n_before = nullptr;  ///< index of the medium on the side of `wo`
   const double* n_after = nullptr;   ///< index of the medium behind the surface
   const double* n_layer = nullptr;   ///< index of the BSDF's own layer, if it has one
@@ -27,16 +29,16 @@ struct Incidence {
   dvec3 wo{0.0, 0.0, 1.0}; ///< where the ray came from
 
   [[nodiscard]] double cos_o() const { return std::min(1.0, std::abs(wo.z)); }
-  [[nodiscard]] BandSet bands() const { return {first, last, live}; }
+  [[nodiscard]] BandSet live_bands() const { return {bands.first, bands.last, live}; }
   /// One of the bands that carry light, by a number in [0, 1).
   [[nodiscard]] int live_band(double choice) const {
     int count = 0;
-    for (int b = first; b < last; ++b)
+    for (int b = bands.first; b < bands.last; ++b)
       count += live[b] != 0.0f;
     int left = static_cast<int>(choice * count);
-    for (int b = first; b < last; ++b)
+    for (int b = bands.first; b < bands.last; ++b)
       if (live[b] != 0.0f && left-- == 0) return b;
-    return first;
+    return bands.first;
   }
 };
 
@@ -76,13 +78,13 @@ struct BsdfFacts {
 
 /// What a BSDF without a part that scatters in many directions evaluates to; the pdf is 0 too.
 inline double evaluate_to_zero(const Incidence& in, float* f_cos) {
-  std::fill(f_cos + in.first, f_cos + in.last, 0.0f);
+  std::fill(f_cos + in.bands.first, f_cos + in.bands.last, 0.0f);
   return 0.0;
 }
 
 /// What an opaque surface leaves of a straight shadow ray.
 inline void block_straight(const Incidence& in, float* transmittance) {
-  std::fill(transmittance + in.first, transmittance + in.last, 0.0f);
+  std::fill(transmittance + in.bands.first, transmittance + in.bands.last, 0.0f);
 }
 
 } // namespace abbe

@@ -20,7 +20,7 @@ double Phong::add(const Incidence& in, const dvec3& wi, float* f_cos) const {
   const double bright = strength(half.z);
   const auto f = static_cast<float>(bright / kPi);
   const float* specular = reflectance.data();
-  for (int b = in.first; b < in.last; ++b)
+  for (int b = in.bands.first; b < in.bands.last; ++b)
     f_cos[b] += specular[b] * f;
   const double cosine = glm::dot(in.wo, half);
   if (!(cosine > 0.0)) return 0.0;

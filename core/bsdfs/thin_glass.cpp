@@ -34,7 +34,7 @@ template <class Visit>
 void for_each_band(const ThinGlass& surface, const Incidence& in, Visit&& visit) {
   double eta = 0.0, absorption = -1.0;
   Fractions f{0.0, 0.0};
-  for (int b = in.first; b < in.last; ++b) {
+  for (int b = in.bands.first; b < in.bands.last; ++b) {
     const double next_eta = in.n_layer[b] / in.n_before[b];
     const auto next_absorption = static_cast<double>(surface.absorption[b]);
     if (next_eta != eta || next_absorption != absorption)

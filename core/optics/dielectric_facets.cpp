@@ -126,7 +126,7 @@ double chance(const Fractions& f, const SurfaceOptics& optics, int b, bool refle
 
 double evaluate_dielectric_facets(const DielectricFacets& surface, const SurfaceOptics& optics,
                                   const dvec3& wo, const dvec3& wi, const BandSet& bands,
-                                  Transport transport, float* f_cos) {
+                                  float* f_cos) {
   for (int b = bands.first; b < bands.last; ++b)
     f_cos[b] = 0.0f;
   if (wi.z == 0.0) return 0.0;
@@ -142,7 +142,7 @@ double evaluate_dielectric_facets(const DielectricFacets& surface, const Surface
     if (!alike) lobes = evaluation.lobes(b);
     const Lobe &one = lobes.one, &several = lobes.several;
     double scale = reflects ? optics.reflection_scale(b) : optics.transmission_scale(b);
-    if (!reflects && transport == Transport::radiance) {
+    if (!reflects && surface.transport == Transport::radiance) {
       const double ratio = optics.n_before[b] / optics.n_after[b];
       scale *= ratio * ratio;
     }

@@ -14,6 +14,7 @@ struct DielectricFacets {
   Ggx ggx;
   /// Adds what meets several facets, for clear facets without a film [Kulla17]; null: it is lost.
   const DielectricAlbedo* compensation = nullptr;
+  Transport transport = Transport::radiance; ///< what is scattered
 };
 
 /// Fills f_cos[first, last) with the scattering function times |cos| of `wi`, each band by its own
@@ -24,7 +25,7 @@ struct DielectricFacets {
 /// radiance stay as they are when the two directions and their media are exchanged.
 double evaluate_dielectric_facets(const DielectricFacets& surface, const SurfaceOptics& optics,
                                   const dvec3& wo, const dvec3& wi, const BandSet& bands,
-                                  Transport transport, float* f_cos);
+                                  float* f_cos);
 
 /// A direction for `wo` by the optics of one band, from three numbers in [0, 1). Nothing where the
 /// facet would send it to the wrong side.

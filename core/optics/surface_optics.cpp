@@ -1,7 +1,6 @@
 #include "core/optics/surface_optics.h"
 
 #include "core/optics/conductor_reflectance.h"
-#include "core/optics/thin_film.h"
 
 namespace abbe {
 

@@ -1,16 +1,9 @@
 #pragma once
 
 #include "core/optics/fresnel.h"
-#include "core/optics/transport.h"
+#include "core/optics/thin_film.h"
 
 namespace abbe {
-
-/// A film on a boundary, at the bands.
-struct FilmOptics {
-  double thickness_nm = 0.0;         ///< 0: there is none
-  const double* index = nullptr;     ///< per band, real
-  const double* lambda_nm = nullptr; ///< per band, the wavelength at which `index` was taken
-};
 
 /// The optics of a smooth boundary, or of one facet of a rough one, as arrays over bands: a
 /// dielectric, or a metal where `metal_n` is given. Holds no memory of its own.

@@ -82,9 +82,12 @@ double thin_film_reflectance(double cos_i, double n_before, double n_film, Compl
   return std::min(1.0, 0.5 * (s + p));
 }
 
-void thin_film_reflectances(double cos_i, const double* n_before, const double* n_film,
-                            const double* n_behind, double thickness_nm, const double* lambda_nm,
-                            int first, int last, float* reflectances) {
+void thin_film_reflectances(double cos_i, const double* n_before, const FilmOptics& film,
+                            const double* n_behind, BandSpan<float> reflectances) {
+  const auto [first, last] = reflectances.bands;
+  const double thickness_nm = film.thickness_nm;
+  const double* n_film = film.index;
+  const double* lambda_nm = film.lambda_nm;
   const double sine2 = std::max(0.0, 1.0 - cos_i * cos_i);
   for (int b = first; b < last; ++b)
     reflectances[b] = static_cast<float>(clear_film_reflectance(

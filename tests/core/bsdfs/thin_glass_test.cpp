@@ -27,10 +27,10 @@ struct Pane {
 
   Pane(double angle, double n_before, const std::array<double, kBands>& n_glass,
        const BandTable& absorption, float reflectivity = 1.0f, float transparency = 1.0f)
-      : glass(n_glass), surface{0, absorption, BandTable(reflectivity, kBands),
-                                BandTable(transparency, kBands)} {
+      : glass(n_glass),
+        surface{0, absorption, BandTable(reflectivity, kBands), BandTable(transparency, kBands)} {
     before.fill(n_before);
-    in.last = kBands;
+    in.bands.last = kBands;
     in.n_before = in.n_after = before.data();
     in.n_layer = glass.data();
     in.wo = {std::sin(angle), 0.0, std::cos(angle)};

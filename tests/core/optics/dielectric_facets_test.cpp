@@ -34,12 +34,13 @@ struct Scatter {
   double f[kBands], density;
 };
 
-Scatter evaluate(const DielectricFacets& surface, const SurfaceOptics& optics, const dvec3& wo,
+Scatter evaluate(DielectricFacets surface, const SurfaceOptics& optics, const dvec3& wo,
                  const dvec3& wi, Transport transport = Transport::radiance,
                  BandSet bands = {0, kBands}) {
   float f[kBands] = {};
   Scatter s{};
-  s.density = evaluate_dielectric_facets(surface, optics, wo, wi, bands, transport, f);
+  surface.transport = transport;
+  s.density = evaluate_dielectric_facets(surface, optics, wo, wi, bands, f);
   std::copy(f, f + kBands, s.f);
   return s;
 }
