@@ -3,9 +3,9 @@
 #include "core/planning/plan_extent.h"
 #include "core/render/render.h"
 #include "core/scene/user_error.h"
-#include "io/files/atomic_file.h"
 #include "io/images/write_exr.h"
 #include "io/images/write_image.h"
+#include "io/program/check_outputs.h"
 #include "io/program/command_line.h"
 #include "io/program/interrupt.h"
 #include "io/program/list.h"
@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -36,38 +35,10 @@ void print_plan(const Plan& plan) {
     say("plan: " + note);
 }
 
-std::vector<fs::path> outputs_of(const Options& options, const Scene& scene) {
-  if (!options.outputs.empty()) return options.outputs;
-  return {scene.title + ".exr", scene.title + ".tiff"};
-}
-
-/// Throws when a file of this name surely could not be written.
-void check_place(const fs::path& path) {
-  try {
-    require_replaceable(path);
-  } catch (const std::runtime_error& error) {
-    throw UserError(error.what());
-  }
-}
-
-/// Finds what would make writing fail before the long work, not after it.
-void check_outputs(const std::vector<fs::path>& outputs, const std::optional<fs::path>& spectral) {
-  for (const fs::path& path : outputs)
-    if (!is_known_image_extension(path))
-      throw UserError(fmt::format("{}: no picture can be written under this name. "
-                                  "The name should end in {}",
-                                  path.string(), known_image_extensions()));
-  if (spectral && spectral->extension() != ".exr")
-    throw UserError(fmt::format("{}: all bands go into an EXR. The name should end in .exr",
-                                spectral->string()));
-  std::vector<fs::path> all = outputs;
-  if (spectral) all.push_back(*spectral);
-  std::set<fs::path> places;
-  for (const fs::path& path : all) {
-    check_place(path);
-    if (!places.insert(fs::weakly_canonical(fs::absolute(path))).second)
-      throw UserError(fmt::format("{}: two pictures would have this name", path.string()));
-  }
+Outputs outputs_of(const Options& options, const Scene& scene) {
+  Outputs outputs{options.outputs, options.spectral_output};
+  if (outputs.images.empty()) outputs.images = {scene.title + ".exr", scene.title + ".tiff"};
+  return outputs;
 }
 
 /// Where the sums of all bands go when they are large.
@@ -108,9 +79,11 @@ bool write_outputs(const Rendering& rendering, const Plan& plan, const Options& 
 int render_command(const Options& options) {
   outlive_readers();
   const std::atomic<bool>& stop = interrupted();
-  const Scene scene = read_scene_file(options.scene_path, print_warning);
-  const std::vector<fs::path> outputs = outputs_of(options, scene);
-  check_outputs(outputs, options.spectral_output);
+  InputFiles inputs;
+  const Scene scene = read_scene_file(options.scene_path, print_warning, &inputs);
+  const Outputs all_outputs = outputs_of(options, scene);
+  check_outputs(all_outputs, inputs);
+  const std::vector<fs::path>& outputs = all_outputs.images;
   const Plan plan = make_plan(scene, overridden(scene.settings, options.settings));
   if (!options.quiet) print_plan(plan);
   const World world(scene.shapes, farthest_coordinate(scene));
@@ -125,7 +98,7 @@ int render_command(const Options& options) {
   if (!options.quiet) say(summary(rendering));
 
   if (!rendering.complete) {
-    const fs::path partial = fs::path(outputs.front()).replace_extension(".partial.exr");
+    const fs::path partial = partial_path(all_outputs);
     write_image(partial, develop_scene_linear(rendering.film, plan, options.output.exr_space), {},
                 options.output);
     say_error("interrupted: what was done is in " + partial.string());

@@ -15,7 +15,7 @@ namespace {
 /// One row of the table of readers.
 struct SceneFormat {
   std::string_view extension; ///< lower case, with its dot
-  Scene (*read)(const std::filesystem::path&, const Warn&);
+  Scene (*read)(const std::filesystem::path&, const Warn&, InputFiles*);
 };
 
 constexpr std::array kFormats = {
@@ -33,7 +33,7 @@ std::string known_scene_extensions() {
   return list;
 }
 
-Scene read_scene_file(const std::filesystem::path& file, const Warn& warn) {
+Scene read_scene_file(const std::filesystem::path& file, const Warn& warn, InputFiles* files) {
   const std::string extension = file.extension().string();
   const auto format = std::ranges::find_if(
       kFormats, [&](const SceneFormat& row) { return same_name(row.extension, extension); });
@@ -42,7 +42,7 @@ Scene read_scene_file(const std::filesystem::path& file, const Warn& warn) {
                     extension.empty() ? "it has no extension, which tells the format"
                                       : fmt::format("its extension is \"{}\"", extension),
                     "The name should end in " + known_scene_extensions());
-  return format->read(file, warn);
+  return format->read(file, warn, files);
 }
 
 } // namespace abbe

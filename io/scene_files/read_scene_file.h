@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scene/scene.h"
+#include "io/scene_language/input_files.h"
 #include "io/text/read_error.h"
 
 #include <filesystem>
@@ -10,8 +11,9 @@ namespace abbe {
 
 /// Reads a scene in the format that the extension of its name tells, whatever its case. Throws
 /// ReadError for an unknown extension, with a list of those that are known, and for all that the
-/// format's reader refuses.
-[[nodiscard]] Scene read_scene_file(const std::filesystem::path& file, const Warn& warn);
+/// format's reader refuses. All files that have been read are added to `files`, unless it is null.
+[[nodiscard]] Scene read_scene_file(const std::filesystem::path& file, const Warn& warn,
+                                    InputFiles* files = nullptr);
 
 /// ".sdl", for messages and help; several are joined by commas and "or".
 [[nodiscard]] std::string known_scene_extensions();

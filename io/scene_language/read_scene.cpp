@@ -99,7 +99,8 @@ void read_statement(SceneState& state, TokenReader& reader) {
   }
 }
 
-Scene read_scene_text(std::string_view text, const std::filesystem::path& file, const Warn& warn) {
+Scene read_scene_text(std::string_view text, const std::filesystem::path& file, const Warn& warn,
+                      InputFiles* files) {
   SceneState state;
   state.scene.title = file.stem().string();
   state.libraries.folder = file.parent_path();
@@ -113,11 +114,16 @@ Scene read_scene_text(std::string_view text, const std::filesystem::path& file, 
   if (state.camera_at) check_view(*state.camera_at, state.scene.camera);
   finish_camera_lens(state);
   if (state.crop_at) check_crop(*state.crop_at, state.scene.settings);
+  if (files) {
+    files->push_back(file);
+    files->insert(files->end(), state.files.begin(), state.files.end());
+    files->insert(files->end(), state.libraries.files.begin(), state.libraries.files.end());
+  }
   return state.builder.take();
 }
 
-Scene read_scene(const std::filesystem::path& file, const Warn& warn) {
-  return read_scene_text(read_text_file(file), file, warn);
+Scene read_scene(const std::filesystem::path& file, const Warn& warn, InputFiles* files) {
+  return read_scene_text(read_text_file(file), file, warn, files);
 }
 
 } // namespace abbe

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scene/scene.h"
+#include "io/scene_language/input_files.h"
 #include "io/text/token.h"
 
 #include <filesystem>
@@ -11,12 +12,14 @@ namespace abbe {
 /// Reads a scene file; docs/scene_format.md is its grammar. Libraries are found relative to the
 /// scene's folder; without a `lights` or `materials` keyword they are lights.filter and all.mtl
 /// there, where these exist.
-/// Throws ReadError for anything that cannot be understood.
-[[nodiscard]] Scene read_scene(const std::filesystem::path& file, const Warn& warn);
+/// Throws ReadError for anything that cannot be understood. All files that have been read are added
+/// to `files`, unless it is null.
+[[nodiscard]] Scene read_scene(const std::filesystem::path& file, const Warn& warn,
+                               InputFiles* files = nullptr);
 
 /// The same from a text in memory. `file` gives the title, the names in messages and the folder; it
 /// need not exist.
 [[nodiscard]] Scene read_scene_text(std::string_view text, const std::filesystem::path& file,
-                                    const Warn& warn);
+                                    const Warn& warn, InputFiles* files = nullptr);
 
 } // namespace abbe

@@ -73,12 +73,9 @@ void read_lens_coating(SceneState& state, Arguments& arguments) {
 
 void read_lens_file(SceneState& state, Arguments& arguments) {
   const Token name = arguments.name_token("the name of a file");
-  const fs::path file = fs::path(name.where.file).parent_path() / name.text;
-  std::error_code error;
-  if (!fs::is_regular_file(file, error))
-    throw ReadError(name.where, fmt::format("there is no file \"{}\"", file.string()),
-                    "lenses are found relative to the file that names them",
-                    "Check the name, or write the whole path");
+  const fs::path file =
+      input_file(state.files, name, fs::path(name.where.file).parent_path(),
+                 {"file", "lenses are found relative to the file that names them"});
   state.camera_lens.prescription = read_lens_prescription(file, state.warn);
   state.camera_lens.lens_at = arguments.keyword().where;
 }

@@ -31,17 +31,14 @@ constexpr Kind<LightSpectrum> kLights{"lights", "lights.filter", read_lights};
 constexpr Kind<LibraryMaterial> kMaterials{"materials", "all.mtl", read_materials};
 
 template <class Entry>
-void add_file(SceneLibrary<Entry>& library, const Kind<Entry>& kind, const fs::path& folder,
+void add_file(SceneLibrary<Entry>& library, const Kind<Entry>& kind, SceneLibraries& libraries,
               const Token& name) {
   if (library.in_use)
     throw ReadError(name.where, fmt::format("{} stands too late", kind.keyword),
                     "a name was looked up before it", "Move it before the first use of a name");
-  const fs::path file = folder / name.text;
-  std::error_code error;
-  if (!fs::is_regular_file(file, error))
-    throw ReadError(name.where, fmt::format("there is no library \"{}\"", file.string()),
-                    "libraries are found relative to the scene's folder",
-                    "Check the name, or write the whole path");
+  const fs::path file =
+      input_file(libraries.files, name, libraries.folder,
+                 {"library", "libraries are found relative to the scene's folder"});
   for (Entry& entry : kind.read(file, {})) {
     if (!library.names.add(entry.name, library.entries.size()))
       throw ReadError(name.where, fmt::format("{} defines \"{}\" again", file.string(), entry.name),
@@ -54,9 +51,9 @@ void add_file(SceneLibrary<Entry>& library, const Kind<Entry>& kind, const fs::p
 
 /// Warns of what is odd about an entry when it is first used, and of nothing else in the file.
 template <class Entry>
-const Entry* look_up(SceneLibrary<Entry>& library, const Kind<Entry>& kind, const fs::path& folder,
-                     std::string_view name, const Warn& warn) {
-  const fs::path file = folder / kind.default_file;
+const Entry* look_up(SceneLibrary<Entry>& library, const Kind<Entry>& kind,
+                     SceneLibraries& libraries, std::string_view name, const Warn& warn) {
+  const fs::path file = libraries.folder / kind.default_file;
   std::error_code error;
   if (!library.in_use && library.files.empty() && fs::is_regular_file(file, error)) {
     for (Entry& entry : kind.read(file, {})) {
@@ -64,6 +61,7 @@ const Entry* look_up(SceneLibrary<Entry>& library, const Kind<Entry>& kind, cons
       library.entries.push_back(std::move(entry));
     }
     library.files = file.string();
+    libraries.files.push_back(file);
   }
   library.in_use = true;
   const auto number = library.names.find(name);
@@ -92,15 +90,15 @@ std::string searched(const SceneLibrary<Entry>& library, const Kind<Entry>& kind
 } // namespace
 
 void add_lights(SceneLibraries& libraries, const Token& file) {
-  add_file(libraries.lights, kLights, libraries.folder, file);
+  add_file(libraries.lights, kLights, libraries, file);
 }
 
 void add_materials(SceneLibraries& libraries, const Token& file) {
-  add_file(libraries.materials, kMaterials, libraries.folder, file);
+  add_file(libraries.materials, kMaterials, libraries, file);
 }
 
 Curve look_up_light(SceneLibraries& libraries, const Token& name, const Warn& warn) {
-  const auto* entry = look_up(libraries.lights, kLights, libraries.folder, name.text, warn);
+  const auto* entry = look_up(libraries.lights, kLights, libraries, name.text, warn);
   if (entry && is_lamp_name(name.text) && libraries.warned_names.insert(entry->name).second)
     warn(fmt::format("{}: {} is the light of {}, which hides the built-in light of this name",
                      to_string(name.where), shown(name), libraries.lights.files));
@@ -117,7 +115,7 @@ Curve look_up_light(SceneLibraries& libraries, const Token& name, const Warn& wa
 
 const LibraryMaterial& look_up_material(SceneLibraries& libraries, const Token& name,
                                         const Warn& warn) {
-  const auto* entry = look_up(libraries.materials, kMaterials, libraries.folder, name.text, warn);
+  const auto* entry = look_up(libraries.materials, kMaterials, libraries, name.text, warn);
   if (entry) return *entry;
   throw ReadError(name.where, "unknown material " + shown(name),
                   searched(libraries.materials, kMaterials),

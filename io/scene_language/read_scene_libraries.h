@@ -2,6 +2,7 @@
 
 #include "io/libraries/read_lights.h"
 #include "io/libraries/read_materials.h"
+#include "io/scene_language/input_files.h"
 #include "io/text/name_index.h"
 #include "io/text/token.h"
 
@@ -25,6 +26,7 @@ struct SceneLibrary {
 /// The light and material libraries of a scene. Files are found relative to `folder`.
 struct SceneLibraries {
   std::filesystem::path folder;
+  InputFiles files; ///< of all libraries that have been read
   SceneLibrary<LightSpectrum> lights;
   SceneLibrary<LibraryMaterial> materials;
   std::set<std::string> warned_names; ///< lights that hide a built-in one

@@ -138,6 +138,7 @@ glm::dmat3 rotation_of(const SceneState& state, const SourcePosition& where) {
 
 void read_environment_picture(SceneState& state, Arguments& arguments) {
   const Token name = arguments.name_token("the name of a file");
+  add_input(state.files, name);
   Environment environment = read_environment(name, state.warn);
   environment.to_world = rotation_of(state, arguments.keyword().where);
   environment.has_colors = !name_follows(arguments);

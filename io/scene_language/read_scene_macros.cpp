@@ -112,12 +112,10 @@ void read_use(SceneState& state, Arguments& arguments) {
 
 void read_include(SceneState& state, Arguments& arguments) {
   const Token name = arguments.name_token("the name of a file");
-  const fs::path file = fs::path(name.where.file).parent_path() / name.text;
+  const fs::path file =
+      input_file(state.files, name, fs::path(name.where.file).parent_path(),
+                 {"file", "files are found relative to the one that includes them"});
   std::error_code error;
-  if (!fs::is_regular_file(file, error))
-    throw ReadError(name.where, fmt::format("there is no file \"{}\"", file.string()),
-                    "files are found relative to the one that includes them",
-                    "Check the name, or write the whole path");
   const fs::path path = fs::weakly_canonical(file, error);
   auto& open = state.open_files;
   if (std::find(open.begin(), open.end(), path) != open.end())

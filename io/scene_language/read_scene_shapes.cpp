@@ -62,6 +62,7 @@ void read_triangles(SceneState& state, Arguments& arguments) {
   if (state.boolean)
     throw ReadError(where, "mesh cannot be an operand", "booleans combine convex solids",
                     "Give it a place of its own, with a priority where it overlaps others");
+  add_input(state.files, arguments.reader().peek());
   Mesh mesh = read_mesh(arguments, state.meshes, state.warn);
   if (!mesh.is_closed() && is_transparent(state.material.finish))
     warn_at(state, where,

@@ -3,6 +3,7 @@
 #include "core/scene/scene.h"
 #include "io/building/scene_builder.h"
 #include "io/meshes/read_mesh.h"
+#include "io/scene_language/input_files.h"
 #include "io/scene_language/read_scene_libraries.h"
 #include "io/text/name_index.h"
 #include "io/text/read_arguments.h"
@@ -75,6 +76,7 @@ struct SceneState {
   Scene& scene = builder.scene(); ///< for what stands for itself, such as the camera
   SceneLibraries libraries;
   MeshFiles meshes;
+  InputFiles files; ///< all that have been read but the libraries
   Warn warn;
 
   Transform transform;

@@ -55,6 +55,7 @@ void read_grid(SceneState& state, Arguments& arguments) {
 void read_image_texture(SceneState& state, Arguments& arguments) {
   require_unmixed(state, arguments);
   const Token name = arguments.name_token("the name of a file");
+  add_input(state.files, name);
   std::error_code error;
   const auto path = std::filesystem::weakly_canonical(image_path(name), error);
   const std::size_t image =
