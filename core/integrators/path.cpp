@@ -136,8 +136,8 @@ Scattering::Choice Path::branch() {
 }
 
 void Path::aim_at_a_lamp(const Hit& hit) {
-  const double choice = lamps_.single() ? 0.0 : numbers(kLamp).x;
-  const auto lamp = lamps_.sample(hit.point, choice, numbers(kLampPoint));
+  const double choice = lamps_.single() ? 0.0 : numbers(kLightChoice).x;
+  const auto lamp = lamps_.sample(hit.point, choice, numbers(kLightPoint));
   if (!lamp) return;
   const auto [first, last] = bundle().bands;
   const double pdf = scattering_.evaluate(lamp->direction, light_.data());
