@@ -17,7 +17,7 @@ CoatedGround ground(const CoatedDiffuse& surface, const Incidence& in) {
   return coated;
 }
 
-/// The boundary of the coat.
+/// The optics of the coat's upper boundary.
 SurfaceOptics upper_side(const Incidence& in) {
   SurfaceOptics optics;
   optics.n_before = in.n_before;
@@ -37,7 +37,7 @@ double CoatedDiffuse::evaluate(const Incidence& in, const dvec3& wi, float* f_co
   if (!(in.wo.z > 0.0)) return Diffuse().evaluate(in, wi, f_cos);
   const double pdf =
       evaluate_coated_ground(ground(*this, in), upper_side(in), in.wo, wi, in.bands(), f_cos);
-  return roughness > 0.0 ? pdf : wi.z / std::numbers::pi; // a smooth coat's mirror is no part of it
+  return roughness > 0.0 ? pdf : wi.z / std::numbers::pi; // only the ground is sampled
 }
 
 std::optional<dvec3> CoatedDiffuse::sample(const Incidence& in, const dvec2& u,
