@@ -17,7 +17,7 @@ CoatedGround ground(const CoatedDiffuse& surface, const Incidence& in) {
   return coated;
 }
 
-/// The boundary of the coat.
+/// The optics of the coat's upper boundary.
 SurfaceOptics upper_side(const Incidence& in) {
   SurfaceOptics optics;
   optics.n_before = in.n_before;

@@ -10,10 +10,10 @@
 namespace abbe {
 namespace {
 
-/// True when the medium has one index for all these bands. Most of a scene's glass may disperse,
-/// but where it does not, Fresnel's equations need solving once and not per band.
+/// True when the medium has one index for all these bands. Fresnel's equations then need to be solved
+/// only once.
 bool alike(const double* n, int first, int last) {
-  // By their bits, which whole registers can compare; indices are no zeros of two signs.
+  // Compare bits, since that works in whole registers. Equal indices have equal bits: none is 0.
   const auto bits = [n](int b) { return std::bit_cast<std::uint64_t>(n[b]); };
   std::uint64_t differing = 0;
   for (int b = first; b < last; ++b)
@@ -30,7 +30,7 @@ struct Parts {
   float reflected, transmitted;
 };
 
-// In line, so that the loop over bands can be done for several at once.
+// In line so that the loop over bands can be vectorised.
 [[gnu::always_inline]] inline Parts parts(bool fresnel, double cos_o, double n_before,
                                           double n_after, Transport transport) {
   const Fractions f = dielectric_fractions(fresnel, cos_o, n_before, n_after);

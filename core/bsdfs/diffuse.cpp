@@ -17,7 +17,7 @@ double Diffuse::evaluate(const Incidence& in, const dvec3& wi, float* f_cos) con
   return pdf;
 }
 
-/// The density cos / pi comes of projecting a disc up.
+/// Projecting the uniform points of the unit disc up to the hemisphere gives the pdf cos / pi.
 std::optional<dvec3> Diffuse::sample(const Incidence&, const dvec2& u, const dvec2&) const {
   const dvec2 p = disc_point(u);
   return dvec3{p.x, p.y, std::sqrt(std::max(0.0, 1.0 - glm::dot(p, p)))};

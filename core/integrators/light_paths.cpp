@@ -24,7 +24,7 @@ FilteredPixel filtered_pixel(PixelFilter filter, double place, double u) {
   std::array<double, kMost> values{};
   double sum = 0.0;
   for (int i = 0; i < kMost; ++i)
-    sum += values[static_cast<std::size_t>(i)] = filter_density(filter, place - (first + i + 0.5));
+    sum += values[static_cast<std::size_t>(i)] = filter_pdf(filter, place - (first + i + 0.5));
   double rest = u * sum;
   int chosen = 0;
   while (chosen < kMost - 1 && rest >= values[static_cast<std::size_t>(chosen)])

@@ -133,8 +133,8 @@ Scattering::Choice Path::branch() {
 }
 
 void Path::sample_light(const Hit& hit) {
-  const double choice = lights_.single() ? 0.0 : numbers(kLamp).x;
-  const auto sample = lights_.sample(hit.point, choice, numbers(kLampPoint));
+  const double choice = lights_.single() ? 0.0 : numbers(kLightChoice).x;
+  const auto sample = lights_.sample(hit.point, choice, numbers(kLightPoint));
   if (!sample) return;
   const BandSpan<float> light{light_.data(), bundle().bands};
   const double pdf = scattering_.evaluate(sample->direction, light.data);

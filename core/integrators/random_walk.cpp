@@ -31,7 +31,7 @@ dvec2 RandomWalk::numbers(SamplePurpose purpose) const {
 
 const MaterialPlan& RandomWalk::find_material() {
   material_ = &plan_.materials[bundle().hit.material.index()];
-  if (material_->mixture) material_ = &part_of(plan_, *material_, numbers(kSurfaceChoice).y);
+  if (material_->mixture) material_ = &part_of(plan_, *material_, numbers(kMixture).y);
   return *material_;
 }
 

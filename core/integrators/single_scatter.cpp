@@ -27,7 +27,7 @@ void SingleScatter::begin_path(const Sampler& sampler, PathWavelengths& waveleng
   counts_ = &counts;
   if (!plan_.has_drops) return;
   place_ = sampler.pair(kDropPlace);
-  light_point_ = sampler.pair(kDropLamp);
+  light_point_ = sampler.pair(kDropLight);
 }
 
 bool SingleScatter::arrive(Bundle& bundle, BandSpan<float> throughput) {

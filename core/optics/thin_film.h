@@ -13,7 +13,7 @@ namespace abbe {
 /// for each polarisation with Fresnel's amplitudes; then the mean of |r|^2. `n_behind` = n - i k
 /// may be a metal's. Where it is real, nothing is absorbed, and 1 minus the reflectance is
 /// transmitted; the reflectance is then 1 under total reflection, however thin the film.
-/// Lengths in nm, the wavelength in air as the indices.
+/// Lengths are in nm; the wavelength is that in air, as for the indices.
 [[nodiscard]] double thin_film_reflectance(double cos_i, double n_before, double n_film,
                                            std::complex<double> n_behind, double thickness_nm,
                                            double lambda_nm);
