@@ -18,7 +18,11 @@ struct BandSpan {
   /// The same array for another range, usually a part of this one.
   [[nodiscard]] BandSpan of(BandRange range) const { return {data, range}; }
 
-  operator BandSpan<const T>() const requires(!std::is_const_v<T>) { return {data, bands}; }
+  operator BandSpan<const T>() const
+    requires(!std::is_const_v<T>)
+  {
+    return {data, bands};
+  }
 };
 
 } // namespace abbe

@@ -28,8 +28,8 @@ namespace abbe {
 ///   pass_straight(in, t)    multiplies `t` by the transmittance for the thesis's attenuated shadow
 ///                           ray, which goes straight on
 ///
-/// A new BSDF needs a file pair with such a type, its name here, a test, and a keyword that makes it.
-/// See docs/decisions/bsdfs.md.
+/// A new BSDF needs a file pair with such a type, its name here, a test, and a keyword that makes
+/// it. See docs/decisions/bsdfs.md.
 using Bsdf = std::variant<Diffuse, CoatedDiffuse, Mirror, Conductor, Dielectric, RoughConductor,
                           RoughDielectric, ThinGlass>;
 

@@ -7,8 +7,8 @@
 
 namespace abbe {
 
-/// Lambert's reflection below a clear coat, as of plastic or varnish. A smooth coat also reflects like
-/// a mirror; a rough one reflects by its facets.
+/// Lambert's reflection below a clear coat, as of plastic or varnish. A smooth coat also reflects
+/// like a mirror; a rough one reflects by its facets.
 struct CoatedDiffuse {
   int coat = -1;                          ///< index into Plan::layers
   double roughness = 0.0;                 ///< of the coat, see Ggx::from_roughness; 0: smooth

@@ -10,8 +10,8 @@
 namespace abbe {
 namespace {
 
-/// True when the medium has one index for all these bands. Fresnel's equations then need to be solved
-/// only once.
+/// True when the medium has one index for all these bands. Fresnel's equations then need to be
+/// solved only once.
 bool alike(const double* n, int first, int last) {
   // Compare bits, since that works in whole registers. Equal indices have equal bits: none is 0.
   const auto bits = [n](int b) { return std::bit_cast<std::uint64_t>(n[b]); };

@@ -27,8 +27,8 @@ struct Dielectric {
   [[nodiscard]] std::optional<dvec3> sample(const Incidence&, const dvec2&, const dvec2&) const {
     return std::nullopt;
   }
-  /// The angle counts as that in the thinner medium, since total reflection would stop a straight ray
-  /// where a refracted one gets through.
+  /// The angle counts as that in the thinner medium, since total reflection would stop a straight
+  /// ray where a refracted one gets through.
   void pass_straight(const Incidence& in, float* transmittance) const;
   /// The optics of one facet of such a boundary.
   [[nodiscard]] SurfaceOptics optics(const Incidence& in) const;

@@ -70,8 +70,8 @@ struct BsdfFacts {
   friend bool operator==(const BsdfFacts&, const BsdfFacts&) = default;
 };
 
-/// The facts of a mixture, of which a ray meets one or the other part. They do not say `rough`: light
-/// may go along single rays, whatever the parts are.
+/// The facts of a mixture, of which a ray meets one or the other part. They do not say `rough`:
+/// light may go along single rays, whatever the parts are.
 [[nodiscard]] inline BsdfFacts either(const BsdfFacts& a, const BsdfFacts& b) {
   return {a.reflects || b.reflects, a.transmits || b.transmits, a.passes || b.passes, false, false};
 }

@@ -13,8 +13,8 @@ constexpr double kPi = std::numbers::pi;
 
 } // namespace
 
-/// The pdf of Blinn's half vector is (e + 1) / (2 pi) cos^e about z. That of `wi` is this, divided by
-/// four times the cosine between `wo` and the half vector.
+/// The pdf of Blinn's half vector is (e + 1) / (2 pi) cos^e about z. That of `wi` is this, divided
+/// by four times the cosine between `wo` and the half vector.
 double Phong::add(const Incidence& in, const dvec3& wi, float* f_cos) const {
   const dvec3 half = glm::normalize(in.wo + wi);
   const double bright = strength(half.z);

@@ -8,8 +8,8 @@
 
 namespace abbe {
 
-/// The thesis's highlight, which adds to Lambert's part: Phong's with Blinn's half vector. It has no
-/// factor of the cosine; see docs/decisions/materials-and-light.md.
+/// The thesis's highlight, which adds to Lambert's part: Phong's with Blinn's half vector. It has
+/// no factor of the cosine; see docs/decisions/materials-and-light.md.
 struct Phong {
   BandTable reflectance; ///< where it is zero, there is no highlight
   float exponent = 1.0f;

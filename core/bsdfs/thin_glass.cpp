@@ -7,8 +7,8 @@
 namespace abbe {
 namespace {
 
-/// The fractions for one polarisation, where a face reflects the part `r` of the light and a passage
-/// leaves the part `a`.
+/// The fractions for one polarisation, where a face reflects the part `r` of the light and a
+/// passage leaves the part `a`.
 Fractions between_faces(double r, double a) {
   const double t = 1.0 - r;
   if (!(t > 0.0)) return {1.0, 0.0}; // along the pane

@@ -9,14 +9,14 @@ namespace abbe {
 
 /// A pane of glass that is thin compared with everything else in the scene, with the same medium on
 /// both sides. Light is reflected between its faces until it leaves or is absorbed. The pane is too
-/// thick for visible interference. With r the reflectance of a face and a the part of the light that
-/// one passage leaves, the pane reflects R and transmits T [BW99, 7.6]:
+/// thick for visible interference. With r the reflectance of a face and a the part of the light
+/// that one passage leaves, the pane reflects R and transmits T [BW99, 7.6]:
 ///   R = r + t^2 a^2 r / (1 - r^2 a^2),   T = t^2 a / (1 - r^2 a^2),   t = 1 - r,
 /// for each polarisation; for unpolarised light they are the means of both. Transmitted light keeps
 /// its direction.
 struct ThinGlass {
-  int glass = -1;       ///< index into Plan::layers
-  BandTable absorption; ///< a passage at normal incidence leaves exp(-absorption)
+  int glass = -1;                       ///< index into Plan::layers
+  BandTable absorption;                 ///< a passage at normal incidence leaves exp(-absorption)
   BandTable reflectivity, transparency; ///< scale R and T
 
   [[nodiscard]] BsdfFacts facts() const {

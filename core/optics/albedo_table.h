@@ -89,8 +89,8 @@ public:
   }
 
 private:
-  /// The number of knots on each side of eta = 1, which is a knot itself. Knots lie at equal steps of
-  /// the square root of |eta - 1| / (eta + 1), since near 1 facets change from transmitting most
+  /// The number of knots on each side of eta = 1, which is a knot itself. Knots lie at equal steps
+  /// of the square root of |eta - 1| / (eta + 1), since near 1 facets change from transmitting most
   /// light to reflecting it at grazing angles.
   static constexpr int kSide = 12;
   static double between(const TablePlace& eta, const std::vector<CosineTable>& tables,

@@ -23,15 +23,15 @@ struct CoatedGround {
 /// cosine `mu`.
 [[nodiscard]] double coat_reflectance(const SurfaceOptics& optics, double mu, int band);
 
-/// The probability that `sample_coated_ground` chooses the coat's reflection and not the ground, for
-/// one band and a `wo` with cosine `mu`. With a smooth coat that reflection is the mirror direction,
-/// and `evaluate_coated_ground` leaves it out.
+/// The probability that `sample_coated_ground` chooses the coat's reflection and not the ground,
+/// for one band and a `wo` with cosine `mu`. With a smooth coat that reflection is the mirror
+/// direction, and `evaluate_coated_ground` leaves it out.
 [[nodiscard]] double coat_chance(const CoatedGround& surface, const SurfaceOptics& optics,
                                  double mu, int band);
 
 /// Fills f_cos[first, last) with the BSDF, which is symmetric in `wo` and `wi`, times the cosine of
-/// `wi`, and returns the mean over live bands of the pdf of `wi` per steradian. With T(mu) = 1 - what
-/// the coat reflects, its cosine-weighted mean T and eta = n_coat / n_before, the ground gives
+/// `wi`, and returns the mean over live bands of the pdf of `wi` per steradian. With T(mu) = 1 -
+/// what the coat reflects, its cosine-weighted mean T and eta = n_coat / n_before, the ground gives
 ///   rho T(wo) T(wi) / (pi eta^2 (1 - rho R)),   R = 1 - T / eta^2,
 /// where R is the coat's reflectance from within. At rho = 1 all light that comes in goes out. The
 /// mirror reflection of a smooth coat is left out.

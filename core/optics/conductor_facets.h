@@ -15,9 +15,9 @@ struct ConductorFacets {
   const GgxAlbedo* compensation = nullptr;
 };
 
-/// Fills f_cos[first, last) with the BSDF times |cos| of `wi` [Walter07, 20], and returns the pdf per
-/// steradian with which `sample_conductor_facets` picks `wi`. Both are 0 below the surface. The BSDF
-/// is symmetric in `wo` and `wi`.
+/// Fills f_cos[first, last) with the BSDF times |cos| of `wi` [Walter07, 20], and returns the pdf
+/// per steradian with which `sample_conductor_facets` picks `wi`. Both are 0 below the surface. The
+/// BSDF is symmetric in `wo` and `wi`.
 double evaluate_conductor_facets(const ConductorFacets& surface, const SurfaceOptics& optics,
                                  const dvec3& wo, const dvec3& wi, const BandSet& bands,
                                  float* f_cos);

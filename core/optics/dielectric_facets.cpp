@@ -12,8 +12,8 @@
 namespace abbe {
 namespace {
 
-/// One lobe in one band: the BSDF times cosine, the pdf with which the lobe picks `wi` once the side
-/// is chosen, and the fractions by which the side is chosen.
+/// One lobe in one band: the BSDF times cosine, the pdf with which the lobe picks `wi` once the
+/// side is chosen, and the fractions by which the side is chosen.
 struct Lobe {
   double value = 0.0, pdf = 0.0;
   Fractions fractions{0.0, 0.0};
@@ -87,8 +87,7 @@ private:
     if (!(o > 0.0 && i < 0.0)) return {};
     const Fractions f = optics_.fractions(b, o);
     // |n_o (wo . h) + n_i (wi . h)| is the length of h before normalization.
-    const double pdf =
-        surface_.ggx.visible_pdf(wo_, h) * -i * n_i * n_i / (length * length);
+    const double pdf = surface_.ggx.visible_pdf(wo_, h) * -i * n_i * n_i / (length * length);
     return {f.transmitted * seen_ * pdf, pdf, f};
   }
 
@@ -147,9 +146,9 @@ double evaluate_dielectric_facets(const DielectricFacets& surface, const Surface
       scale *= ratio * ratio;
     }
     f_cos[b] = static_cast<float>(scale * (one.value + several.value));
-    pdf += lobes.chance_of_one * chance(one.fractions, optics, b, reflects) * one.pdf +
-               (1.0 - lobes.chance_of_one) * chance(several.fractions, optics, b, reflects) *
-                   several.pdf;
+    pdf +=
+        lobes.chance_of_one * chance(one.fractions, optics, b, reflects) * one.pdf +
+        (1.0 - lobes.chance_of_one) * chance(several.fractions, optics, b, reflects) * several.pdf;
     ++count;
   }
   return count > 0 ? pdf / count : 0.0;

@@ -11,9 +11,9 @@ namespace abbe {
 
 using glm::dvec3;
 
-/// The cosine of the angle of refraction, from Snell's law n_i sin i = n_t sin t. `eta` is n_t / n_i.
-/// Empty under total internal reflection, (sin i / eta)^2 > 1. (The thesis prints the test with
-/// 1 - N.dir, squared, in place of the squared cosine; that is a misprint.)
+/// The cosine of the angle of refraction, from Snell's law n_i sin i = n_t sin t. `eta` is n_t /
+/// n_i. Empty under total internal reflection, (sin i / eta)^2 > 1. (The thesis prints the test
+/// with 1 - N.dir, squared, in place of the squared cosine; that is a misprint.)
 [[nodiscard]] inline std::optional<double> refracted_cosine(double cos_i, double eta) {
   const double sin2_t = (1.0 - cos_i * cos_i) / (eta * eta);
   if (sin2_t >= 1.0) return std::nullopt;

@@ -12,7 +12,8 @@
 namespace abbe {
 
 double Ggx::density(const dvec3& h) const {
-  // cos^4 (1 + tan^2 / alpha^2)^2 without a difference of cosines, so that small alpha is exact too.
+  // cos^4 (1 + tan^2 / alpha^2)^2 without a difference of cosines, so that small alpha is exact
+  // too.
   const double x = h.x / alpha, y = h.y / alpha;
   const double sum = x * x + y * y + h.z * h.z;
   return 1.0 / (std::numbers::pi * alpha * alpha * sum * sum);

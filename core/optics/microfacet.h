@@ -8,9 +8,9 @@ namespace abbe {
 using glm::dvec2;
 using glm::dvec3;
 
-/// The isotropic GGX distribution of microfacets with Smith's masking [Walter07, Heitz14]. Directions
-/// are unit and point away from the surface, whose normal is +z; `h` is the normal of a facet, with
-/// h.z > 0.
+/// The isotropic GGX distribution of microfacets with Smith's masking [Walter07, Heitz14].
+/// Directions are unit and point away from the surface, whose normal is +z; `h` is the normal of a
+/// facet, with h.z > 0.
 struct Ggx {
   double alpha; ///< width of the distribution of slopes, above 0
 
@@ -18,8 +18,8 @@ struct Ggx {
   /// look equal [Burley12].
   [[nodiscard]] static Ggx from_roughness(double roughness) { return {roughness * roughness}; }
 
-  /// The distribution D of facet normals, per steradian. The integral of D(h) h.z over the hemisphere
-  /// is 1.
+  /// The distribution D of facet normals, per steradian. The integral of D(h) h.z over the
+  /// hemisphere is 1.
   [[nodiscard]] double density(const dvec3& h) const;
   /// Smith's Lambda of the angle between `w` and the surface, on either side; infinite at grazing
   /// directions.

@@ -24,8 +24,8 @@ struct SurfaceOptics {
   [[nodiscard]] double transmission_scale(int b) const {
     return transparency ? transparency[b] : 1;
   }
-  /// True when the fractions of all bands [first, last) are those of `first`, so that one evaluation
-  /// serves all.
+  /// True when the fractions of all bands [first, last) are those of `first`, so that one
+  /// evaluation serves all.
   [[nodiscard]] bool alike(int first, int last) const;
 };
 

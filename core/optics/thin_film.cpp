@@ -26,9 +26,9 @@ double airy(Complex y0, Complex y1, Complex y2, Complex turn) {
   return std::norm((r01 + r12 * turn) / (1.0 + r01 * r12 * turn));
 }
 
-/// Airy's sum without absorption and without total reflection in the film, where all but the turn is
-/// real, with r_01 = a / b and r_12 = c / d and over one denominator. `phase_cosine` is the turn's
-/// real part.
+/// Airy's sum without absorption and without total reflection in the film, where all but the turn
+/// is real, with r_01 = a / b and r_12 = c / d and over one denominator. `phase_cosine` is the
+/// turn's real part.
 double airy(double y0, double y1, double y2, double phase_cosine) {
   const double a = y0 - y1, b = y0 + y1, c = y1 - y2, d = y1 + y2;
   const double both = 2.0 * (a * b) * (c * d) * phase_cosine;

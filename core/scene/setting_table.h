@@ -28,22 +28,22 @@ struct Word {
 
 template <class Settings>
 struct WholeNumber {
-  int Settings::*member;
+  int Settings::* member;
   Range range;
 };
 template <class Settings>
 struct RealNumber {
-  double Settings::*member;
+  double Settings::* member;
   Range range;
 };
 /// Any whole number of 64 bits without sign.
 struct SeedNumber {
-  std::uint64_t RenderSettings::*member;
+  std::uint64_t RenderSettings::* member;
 };
 /// One of a few words.
 template <class Settings, class Value>
 struct Choice {
-  Value Settings::*member;
+  Value Settings::* member;
   std::span<const Word<Value>> words;
 };
 /// The width and height of the whole image.

@@ -9,8 +9,9 @@ struct PaneLight {
   double reflected = 0.0, transmitted = 0.0;
 };
 
-/// The sum over the reflections between the two faces, for unpolarised light at an angle in radians,
-/// with Fresnel's equations in their form by angles. `absorption` is that at normal incidence.
+/// The sum over the reflections between the two faces, for unpolarised light at an angle in
+/// radians, with Fresnel's equations in their form by angles. `absorption` is that at normal
+/// incidence.
 inline PaneLight pane_series(double angle, double n_before, double n_glass, double absorption) {
   const double inside = std::asin(n_before * std::sin(angle) / n_glass);
   const double normal = (n_glass - n_before) / (n_glass + n_before);

@@ -22,9 +22,9 @@ struct SamplingCheck {
   [[nodiscard]] bool agrees() const { return chi_square < limit && outside == 0.0; }
 };
 
-/// `sample(u)` gives an optional unit direction, `pdf(direction)` is per steradian, and `asked` is the
-/// cone of all directions that can be drawn. The cone is cut into 8 x 16 cells of equal solid angle.
-/// The expected count of each is summed over `fine` x `fine` of its directions.
+/// `sample(u)` gives an optional unit direction, `pdf(direction)` is per steradian, and `asked` is
+/// the cone of all directions that can be drawn. The cone is cut into 8 x 16 cells of equal solid
+/// angle. The expected count of each is summed over `fine` x `fine` of its directions.
 template <class Sample, class Pdf>
 SamplingCheck check_sampling(const Cone& asked, const Sample& sample, const Pdf& pdf,
                              int draws = 40000, int fine = 48) {

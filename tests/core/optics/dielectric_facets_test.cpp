@@ -52,8 +52,8 @@ std::optional<dvec3> sample(const DielectricFacets& surface, const SurfaceOptics
   return sample_dielectric_facets(surface, optics, wo, band, u, choice * kBands - band);
 }
 
-/// The reflected and the transmitted flux of band 0. Radiance counts with the n^2 of the side that it
-/// comes from, as in a furnace of uniform temperature.
+/// The reflected and the transmitted flux of band 0. Radiance counts with the n^2 of the side that
+/// it comes from, as in a furnace of uniform temperature.
 double furnace(const DielectricFacets& surface, const SurfaceOptics& optics, double cos_o,
                Transport transport, int count = 16000) {
   const dvec3 wo = direction(cos_o, 0.3);
@@ -218,8 +218,8 @@ TEST_CASE("polished glass reflects and transmits as a smooth one") {
 }
 
 TEST_CASE("each band of a dispersive rough surface conserves energy with the shared pdf") {
-  // One direction serves all bands, weighted by f_b over the mean pdf. The mean of each band must be
-  // its own.
+  // One direction serves all bands, weighted by f_b over the mean pdf. The mean of each band must
+  // be its own.
   const Ggx ggx = Ggx::from_roughness(0.6);
   const DielectricAlbedo albedo(ggx, 2.5);
   const Glass glass(1.0, 1.4, 0.2);

@@ -18,7 +18,8 @@ TEST_CASE("the facets' projected area is that of the surface") {
   CHECK(Ggx::from_roughness(0.3).alpha == Approx(0.09));
 }
 
-TEST_CASE("GGX agrees with its formula in cosines") { // alpha^2 / (pi cos^4 (alpha^2 + tan^2)^2) [Walter07, 33]
+TEST_CASE("GGX agrees with its formula in cosines") { // alpha^2 / (pi cos^4 (alpha^2 + tan^2)^2)
+                                                      // [Walter07, 33]
   for (const double alpha : {0.05, 0.4, 1.0})
     for (const double cosine : {1.0, 0.99, 0.7, 0.2}) {
       const double cos2 = cosine * cosine, tan2 = (1.0 - cos2) / cos2;
@@ -36,8 +37,8 @@ TEST_CASE("masking makes the visible facets fill the view") {
   for (const double alpha : {0.3, 0.6, 1.0})
     for (const double cosine : {1.0, 0.6, 0.2}) {
       const dvec3 wo = direction(cosine, 0.4);
-      CHECK(sphere_integral([&](const dvec3& h) { return Ggx{alpha}.visible_pdf(wo, h); }, 0.0,
-                            1.0, 1000) == Approx(1.0).epsilon(2e-3));
+      CHECK(sphere_integral([&](const dvec3& h) { return Ggx{alpha}.visible_pdf(wo, h); }, 0.0, 1.0,
+                            1000) == Approx(1.0).epsilon(2e-3));
     }
 }
 
@@ -51,8 +52,7 @@ TEST_CASE("normals are sampled with the pdf of the visible ones") {
                 [&](const dvec2& u, double) {
                   return std::optional(ggx.sample_visible_normal(wo, u));
                 },
-                [&](const dvec3& h) { return h.z > 0.0 ? ggx.visible_pdf(wo, h) : 0.0; }) <
-            4.0);
+                [&](const dvec3& h) { return h.z > 0.0 ? ggx.visible_pdf(wo, h) : 0.0; }) < 4.0);
     }
 }
 
