@@ -40,7 +40,7 @@ Scatter evaluate(DielectricFacets surface, const SurfaceOptics& optics, const dv
   float f[kBands] = {};
   Scatter s{};
   surface.transport = transport;
-  s.density = evaluate_dielectric_facets(surface, optics, wo, wi, bands, f);
+  s.pdf = evaluate_dielectric_facets(surface, optics, wo, wi, bands, f);
   std::copy(f, f + kBands, s.f);
   return s;
 }
