@@ -77,7 +77,7 @@ inline constexpr Chromaticity kSrgbWhite{0.3127, 0.3290};
 [[nodiscard]] const Vector3& srgb_luminance_weights();
 
 /// The sRGB transfer curve [IEC99] per component, and its inverse. Both are odd functions, so that
-/// negative components survive the way there and back; values above 1 follow the power law.
+/// negative components survive the round trip; values above 1 follow the power law.
 [[nodiscard]] DisplayRgb encode_srgb(const LinearRgb& color);
 [[nodiscard]] LinearRgb decode_srgb(const DisplayRgb& color);
 

@@ -17,7 +17,7 @@ struct ColorSpace {
   Chromaticity white;
   std::string standard;                 ///< the document that defines it
   std::vector<std::string> short_names; ///< what commands and scenes call it
-  TransferFunction transfer;            ///< what its code values mean unless another is chosen
+  TransferFunction transfer;            ///< the transfer function, unless another is chosen
   friend bool operator==(const ColorSpace&, const ColorSpace&) = default;
 };
 

@@ -8,7 +8,7 @@
 
 namespace abbe {
 
-/// What a tabulated curve is worth beyond its first and last wavelength.
+/// The values of a tabulated curve beyond its first and last wavelength.
 enum class Outside { hold_ends, zero };
 
 /// Light of a single wavelength; its power has the unit of a curve's value times nm.
@@ -18,8 +18,9 @@ struct SpectralLine {
   friend bool operator==(const SpectralLine&, const SpectralLine&) = default;
 };
 
-/// A function of wavelength: a reflectance, a transmittance, a lamp's spectrum, n or k of a metal.
-/// A plain value; copying a constant copies one number. Units are those of what it describes.
+/// A function of wavelength: a reflectance, a transmittance, the spectrum of a light, n or k of a
+/// metal. A plain value; copying a constant copies one number. Units are those of what it
+/// describes.
 class Curve {
 public:
   /// The constant 0.
@@ -39,16 +40,16 @@ public:
   [[nodiscard]] static Curve table(std::vector<double> wavelengths_nm, std::vector<double> values,
                                    Outside outside = Outside::hold_ends);
 
-  /// Single lines and nothing between. Throws std::invalid_argument when there is none, or a number
-  /// is not finite.
+  /// Single lines, with nothing between them. Throws std::invalid_argument when there is none, or a
+  /// number is not finite.
   [[nodiscard]] static Curve lines(std::vector<SpectralLine> lines);
 
   /// The lines of a curve that was made of lines; empty for others.
   [[nodiscard]] std::span<const SpectralLine> spectral_lines() const;
 
-  /// A line has no value at a wavelength: `at` shows it as wide as 1 nm. Who sums light over bands
-  /// takes spectral_lines. Else:
-  /// The value at `lambda_nm`; at a sample or a tabulated wavelength exactly the number given.
+  /// The value at `lambda_nm`; at a sample or a tabulated wavelength exactly the number given. A
+  /// line has no value at a wavelength: `at` shows it as if it were 1 nm wide. Whoever sums light
+  /// over bands takes the lines themselves.
   [[nodiscard]] double at(double lambda_nm) const;
 
   /// The value, when the curve was made as a constant.

@@ -41,7 +41,7 @@ using Dispersion = decltype(with_exaggeration(std::declval<DispersionLaw>()));
 /// The Abbe number V_d = (n_d - 1) / (n_F - n_C); infinite for an achromatic law.
 [[nodiscard]] double abbe_number(const Dispersion& law);
 
-/// The same n_d with `factor` times the dispersion that the law has, exaggerated or not before.
+/// The law with the same n_d and `factor` times its dispersion. The law may be exaggerated already.
 [[nodiscard]] Dispersion exaggerated(const Dispersion& law, double factor);
 
 } // namespace abbe

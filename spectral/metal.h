@@ -15,8 +15,8 @@ struct Metal {
   Curve k; ///< positive: absorbing
 };
 
-/// The built-in metals, sorted by symbol; linear between the measured points [JC72, JC74, Rak95,
-/// RDEM98, WOL75].
+/// The built-in metals, sorted by symbol, linear between the measured points: Ag, Au, Cu [JC72],
+/// Cr, Fe, Ni, Ti [JC74], Al [Rak95], Pt [RDEM98], W [WOL75].
 [[nodiscard]] const std::vector<Metal>& metal_catalogue();
 
 /// The built-in metal of this symbol, in upper or lower case; null when there is none. It lives as

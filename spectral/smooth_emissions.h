@@ -6,7 +6,7 @@
 
 namespace abbe {
 
-/// `smooth_emission` for whole pictures: linear between solutions that are found once, in about
+/// `smooth_emission` for whole images: linear between solutions that are found once, in about
 /// 0.2 s. Greys are exact; the colour is met to 1e-3 of the largest component, and to 3e-5 on
 /// average. (source: measured)
 class SmoothEmissions {

@@ -32,7 +32,7 @@ struct TransferFunction {
 [[nodiscard]] std::optional<TransferFunction> find_transfer(std::string_view name);
 [[nodiscard]] std::vector<std::string> transfer_names();
 
-/// Both are odd functions, so that negative values survive the way there and back; values above 1
+/// Both are odd functions, so that negative values survive the round trip; values above 1
 /// follow the power law.
 [[nodiscard]] double encode(const TransferFunction& transfer, double linear);
 [[nodiscard]] double decode(const TransferFunction& transfer, double code);

@@ -22,8 +22,8 @@ BandCosts measure_bands(const std::filesystem::path& scene_path, const RenderOpt
         [&, i] { result.costs[i].counts = render_once(scene, plans[i], world).rays; });
   const std::vector<Runs> runs = interleaved(works, options.repeats, true);
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    result.costs[i].render_seconds = runs[i].cpu_spread();
-    result.costs[i].wall_seconds = runs[i].wall_spread();
+    result.costs[i].render_seconds = runs[i].cpu_summary();
+    result.costs[i].wall_seconds = runs[i].wall_summary();
   }
   return result;
 }

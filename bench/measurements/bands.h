@@ -7,8 +7,8 @@ namespace abbe::bench {
 
 struct BandCost {
   int bands = 0;
-  Spread render_seconds; ///< processor time, summed over the threads
-  Spread wall_seconds;
+  Summary render_seconds; ///< processor time, summed over the threads
+  Summary wall_seconds;
   RayCounts counts;
 };
 

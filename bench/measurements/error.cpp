@@ -89,8 +89,8 @@ ErrorCurves measure_error(const std::filesystem::path& scene_path, const ErrorOp
     for (std::size_t k = 0; k < runs.size(); ++k) {
       ImageError error = image_error(pixels(renderings[k]->film), reference);
       if (options.band_noise) error.band_noise = band_noise(renderings[k]->film, exact->film);
-      result.curves[k].budgets[i] = {options.budgets[i], runs[k].cpu_spread(),
-                                     runs[k].wall_spread(), renderings[k]->rays.total(), error};
+      result.curves[k].budgets[i] = {options.budgets[i], runs[k].cpu_summary(),
+                                     runs[k].wall_summary(), renderings[k]->rays.total(), error};
     }
   }
   return result;

@@ -22,8 +22,8 @@ struct ErrorOptions {
 /// One variation at one budget.
 struct BudgetError {
   int samples = 0;
-  Spread render_seconds; ///< processor time, summed over the threads
-  Spread wall_seconds;
+  Summary render_seconds; ///< processor time, summed over the threads
+  Summary wall_seconds;
   std::uint64_t rays = 0;
   ImageError error;
 };
@@ -36,7 +36,7 @@ struct ErrorCurve {
   [[nodiscard]] std::vector<TimedError> delta_e_curve() const; ///< of the mean
 };
 
-/// The mean dE2000 at which variations are compared: a picture whose error is hard to see.
+/// The mean dE2000 at which variations are compared: an image whose error is hard to see.
 inline constexpr double kEqualDeltaE = 0.5;
 
 /// The times of two variations to one error.

@@ -15,9 +15,8 @@ double square(double v) {
 
 } // namespace
 
-double relative_mse(const std::vector<LinearRgb>& picture,
-                    const std::vector<LinearRgb>& reference) {
-  assert(picture.size() == reference.size() && !reference.empty());
+double relative_mse(const std::vector<LinearRgb>& image, const std::vector<LinearRgb>& reference) {
+  assert(image.size() == reference.size() && !reference.empty());
   const double values = 3.0 * static_cast<double>(reference.size());
   double mean = 0.0;
   for (const LinearRgb& r : reference)
@@ -25,21 +24,21 @@ double relative_mse(const std::vector<LinearRgb>& picture,
   const double floor = 0.01 * square(mean);
   double sum = 0.0;
   for (std::size_t i = 0; i < reference.size(); ++i) {
-    const LinearRgb &x = picture[i], &r = reference[i];
+    const LinearRgb &x = image[i], &r = reference[i];
     sum += square(x.r - r.r) / (square(r.r) + floor) + square(x.g - r.g) / (square(r.g) + floor) +
            square(x.b - r.b) / (square(r.b) + floor);
   }
   return sum / values;
 }
 
-ImageError image_error(const std::vector<Xyz>& picture, const std::vector<Xyz>& reference) {
-  assert(picture.size() == reference.size() && !reference.empty());
+ImageError image_error(const std::vector<Xyz>& image, const std::vector<Xyz>& reference) {
+  assert(image.size() == reference.size() && !reference.empty());
   const Xyz white = to_xyz(kSrgbWhite, 1.0);
   std::vector<LinearRgb> rgb, reference_rgb;
   std::vector<double> differences;
   double squares = 0.0, difference_sum = 0.0;
   for (std::size_t i = 0; i < reference.size(); ++i) {
-    const Xyz &x = picture[i], &r = reference[i];
+    const Xyz &x = image[i], &r = reference[i];
     rgb.push_back(to_linear_srgb(x));
     reference_rgb.push_back(to_linear_srgb(r));
     squares += square(x.x - r.x) + square(x.y - r.y) + square(x.z - r.z);
@@ -51,7 +50,7 @@ ImageError image_error(const std::vector<Xyz>& picture, const std::vector<Xyz>& 
           difference_sum / count, quantile(std::move(differences), 0.95), std::nullopt};
 }
 
-double band_noise(const Film& picture, const Film& reference) {
+double band_noise(const Film& image, const Film& reference) {
   const PixelWindow& w = reference.window();
   double sum = 0.0;
   int counted = 0;
@@ -61,7 +60,7 @@ double band_noise(const Film& picture, const Film& reference) {
       for (int x = w.x0; x < w.x1; ++x) {
         const double r = reference.radiance(x, y, band);
         squares += square(r);
-        differences += square(picture.radiance(x, y, band) - r);
+        differences += square(image.radiance(x, y, band) - r);
       }
     if (!(squares > 0.0)) continue;
     sum += differences / squares;

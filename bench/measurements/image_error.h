@@ -8,7 +8,7 @@
 
 namespace abbe::bench {
 
-/// How far a picture is from its reference.
+/// How far an image is from its reference.
 struct ImageError {
   double rel_mse = 0.0;             ///< see `relative_mse`
   double rmse_xyz = 0.0;            ///< over pixels and X, Y, Z
@@ -18,23 +18,23 @@ struct ImageError {
 };
 
 /// The mean over pixels and linear RGB of (x - r)^2 / (r^2 + 0.01 mean(r)^2), where the mean of r
-/// is over pixels and channels. The pictures have the same size.
-[[nodiscard]] double relative_mse(const std::vector<LinearRgb>& picture,
+/// is over pixels and channels. The images have the same size.
+[[nodiscard]] double relative_mse(const std::vector<LinearRgb>& image,
                                   const std::vector<LinearRgb>& reference);
 
 /// Colours are compared under D65 at Y = 1, the white of a display.
-[[nodiscard]] ImageError image_error(const std::vector<Xyz>& picture,
+[[nodiscard]] ImageError image_error(const std::vector<Xyz>& image,
                                      const std::vector<Xyz>& reference);
 
 /// The mean over bands of mean (x - r)^2 over mean r^2, both over pixels; bands in which the
 /// reference is black do not count. Both films keep as many bands.
-[[nodiscard]] double band_noise(const Film& picture, const Film& reference);
+[[nodiscard]] double band_noise(const Film& image, const Film& reference);
 
 /// How many pixels differ, be it by a bit, in colour, coverage or a band. The films have one window
 /// and keep as many bands.
 [[nodiscard]] std::size_t changed_pixels(const Film& a, const Film& b);
 
-/// The picture's colours, row by row.
+/// The image's colours, row by row.
 [[nodiscard]] std::vector<Xyz> pixels(const Film& film);
 
 /// The value below which `fraction` of all lie; the lowest and highest for 0 and 1. Linear between

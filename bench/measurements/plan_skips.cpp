@@ -72,9 +72,9 @@ SkipCosts measure_plan(const std::filesystem::path& scene_path, const RenderOpti
   const std::vector<Runs> runs = interleaved(works, options.repeats, false);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     SkipCost& cost = result.costs[i];
-    cost.render_seconds = runs[i].cpu_spread();
-    cost.wall_seconds = runs[i].wall_spread();
-    cost.ratio = spread(ratios(runs[i].cpu, runs[0].cpu));
+    cost.render_seconds = runs[i].cpu_summary();
+    cost.wall_seconds = runs[i].wall_summary();
+    cost.ratio = summary(ratios(runs[i].cpu, runs[0].cpu));
     cost.changed_pixels = changed_pixels(films[i], films[0]);
   }
   return result;

@@ -9,9 +9,9 @@ namespace abbe::bench {
 struct SkipCost {
   std::string without; ///< a member of Skips in words, "all skips", or "nothing"
   Skips skip;
-  Spread render_seconds; ///< processor time, summed over the threads
-  Spread wall_seconds;
-  Spread ratio;                   ///< seconds over those with all skips, round by round
+  Summary render_seconds; ///< processor time, summed over the threads
+  Summary wall_seconds;
+  Summary ratio;                  ///< seconds over those with all skips, round by round
   std::size_t changed_pixels = 0; ///< whose colour or bands differ by a bit
 };
 

@@ -5,9 +5,9 @@
 
 namespace abbe::bench {
 
-const Spread& KindSpeed::best_replay() const {
+const Summary& KindSpeed::best_replay() const {
   return *std::min_element(replay_seconds.begin(), replay_seconds.end(),
-                           [](const Spread& a, const Spread& b) { return a.median < b.median; });
+                           [](const Summary& a, const Summary& b) { return a.median < b.median; });
 }
 
 int KindSpeed::best_width() const {
@@ -64,14 +64,14 @@ RaySpeed measure_rays(const std::filesystem::path& scene_path, const RenderOptio
   }
   const std::vector<Runs> runs = interleaved(works, options.repeats, true);
 
-  RaySpeed result{scene.title, settings, runs[0].cpu_spread(), runs[0].wall_spread(), {}, {}};
+  RaySpeed result{scene.title, settings, runs[0].cpu_summary(), runs[0].wall_summary(), {}, {}};
   result.counts = recorded.rays;
   std::size_t next = 1;
   for (const RaysOfKind& rays : kinds) {
     KindSpeed speed{rays.kind, rays.states.size(), {}, {}, rays.any_hit};
-    for (Spread& seconds : speed.replay_seconds)
-      seconds = runs[next++].cpu_spread();
-    speed.query_seconds = runs[next++].cpu_spread();
+    for (Summary& seconds : speed.replay_seconds)
+      seconds = runs[next++].cpu_summary();
+    speed.query_seconds = runs[next++].cpu_summary();
     result.kinds.push_back(speed);
   }
   return result;

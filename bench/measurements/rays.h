@@ -10,11 +10,11 @@ namespace abbe::bench {
 struct KindSpeed {
   RayKind kind = RayKind::camera;
   std::size_t rays = 0;
-  std::array<Spread, kPacketWidths.size()> replay_seconds; ///< raw Embree, by packet width
-  Spread query_seconds; ///< the world's queries, as the renderer asks them
-  bool any_hit = false; ///< only whether something is in the way; these go one at a time
+  std::array<Summary, kPacketWidths.size()> replay_seconds; ///< raw Embree, by packet width
+  Summary query_seconds; ///< the world's queries, as the renderer asks them
+  bool any_hit = false;  ///< only whether something is in the way; these go one at a time
 
-  [[nodiscard]] const Spread& best_replay() const; ///< of the packet width that is fastest
+  [[nodiscard]] const Summary& best_replay() const; ///< of the packet width that is fastest
   [[nodiscard]] double best_replay_seconds() const { return best_replay().median; }
   [[nodiscard]] int best_width() const;
 };
@@ -24,7 +24,7 @@ struct KindSpeed {
 struct RaySpeed {
   std::string scene;
   RenderSettings settings;
-  Spread render_seconds, render_wall_seconds;
+  Summary render_seconds, render_wall_seconds;
   RayCounts counts;
   std::vector<KindSpeed> kinds;
 

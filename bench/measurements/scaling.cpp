@@ -38,8 +38,8 @@ PrimitivePoint measure_primitives(std::size_t count, const RenderOptions& option
     builds.wall.push_back(seconds.wall);
     builds.cpu.push_back(seconds.cpu);
   }
-  point.build_seconds = builds.cpu_spread();
-  point.build_wall_seconds = builds.wall_spread();
+  point.build_seconds = builds.cpu_summary();
+  point.build_wall_seconds = builds.wall_summary();
 
   RenderOptions with_bands = options;
   if (!with_bands.bands) with_bands.bands = 1;
@@ -48,8 +48,8 @@ PrimitivePoint measure_primitives(std::size_t count, const RenderOptions& option
     point.rays = render_once(built->scene, plan, built->world).rays.total();
   };
   const Runs renders = interleaved({render}, options.repeats, true).front();
-  point.render_seconds = renders.cpu_spread();
-  point.wall_seconds = renders.wall_spread();
+  point.render_seconds = renders.cpu_summary();
+  point.wall_seconds = renders.wall_summary();
   return point;
 }
 

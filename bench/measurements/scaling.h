@@ -17,18 +17,18 @@ struct ScalingOptions {
 /// One number of threads. Times are wall time; ratios are those to one thread, round by round.
 struct ThreadPoint {
   int threads = 1;
-  Spread wall_seconds, render_seconds; ///< the second is processor time
-  Spread loop_wall_seconds; ///< of the same arithmetic without memory, see arithmetic_loop
-  Spread speedup, loop_speedup;
+  Summary wall_seconds, render_seconds; ///< the second is processor time
+  Summary loop_wall_seconds; ///< of the same arithmetic without memory, see arithmetic_loop
+  Summary speedup, loop_speedup;
 
   /// How much of what the machine gives to so many threads the renderer makes use of.
   [[nodiscard]] double share_of_loop() const { return speedup.median / loop_speedup.median; }
 };
 
 /// One size of image or number of samples.
-struct PicturePoint {
+struct ImagePoint {
   RenderSettings settings;
-  Spread render_seconds, wall_seconds;
+  Summary render_seconds, wall_seconds;
   std::uint64_t rays = 0;
   std::optional<std::size_t> film_bytes, band_film_bytes; ///< of the sums; with all bands kept
 };
@@ -36,8 +36,8 @@ struct PicturePoint {
 /// One number of primitives.
 struct PrimitivePoint {
   std::size_t primitives = 0;
-  Spread build_seconds, build_wall_seconds; ///< all hierarchies, from shapes in memory
-  Spread render_seconds, wall_seconds;
+  Summary build_seconds, build_wall_seconds; ///< all hierarchies, from shapes in memory
+  Summary render_seconds, wall_seconds;
   std::uint64_t rays = 0;
   std::optional<std::size_t> bytes; ///< what the built scene keeps
 };
@@ -46,7 +46,7 @@ struct Scaling {
   std::string scene; ///< of threads, sizes and samples
   RenderSettings settings;
   std::vector<ThreadPoint> threads;
-  std::vector<PicturePoint> sizes, samples;
+  std::vector<ImagePoint> sizes, samples;
   std::vector<PrimitivePoint> triangles, lenses;
 };
 
@@ -58,10 +58,10 @@ struct Scaling {
 // The parts of it.
 [[nodiscard]] std::vector<ThreadPoint> measure_threads(const Scene& scene,
                                                        const RenderSettings& settings, int repeats);
-[[nodiscard]] std::vector<PicturePoint> measure_sizes(const Scene& scene,
+[[nodiscard]] std::vector<ImagePoint> measure_sizes(const Scene& scene,
+                                                    const RenderSettings& settings, int repeats);
+[[nodiscard]] std::vector<ImagePoint> measure_samples(const Scene& scene,
                                                       const RenderSettings& settings, int repeats);
-[[nodiscard]] std::vector<PicturePoint>
-measure_samples(const Scene& scene, const RenderSettings& settings, int repeats);
 [[nodiscard]] PrimitivePoint measure_triangles(std::size_t count, const RenderOptions& options);
 [[nodiscard]] PrimitivePoint measure_lenses(std::size_t count, const RenderOptions& options);
 

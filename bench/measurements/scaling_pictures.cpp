@@ -20,11 +20,11 @@ std::vector<int> doubled_up_to(int last) {
   return counts;
 }
 
-Spread speedups(const std::vector<double>& one, const std::vector<double>& many) {
+Summary speedups(const std::vector<double>& one, const std::vector<double>& many) {
   std::vector<double> result;
   for (std::size_t i = 0; i < one.size(); ++i)
     result.push_back(one[i] / many[i]);
-  return spread(std::move(result));
+  return summary(std::move(result));
 }
 
 std::optional<std::size_t> film_bytes(const Plan& plan, int bands) {
@@ -37,13 +37,13 @@ std::optional<std::size_t> film_bytes(const Plan& plan, int bands) {
   return added_bytes(before);
 }
 
-std::vector<PicturePoint> measure_pictures(const Scene& scene,
-                                           const std::vector<RenderSettings>& all, int repeats) {
+std::vector<ImagePoint> measure_pictures(const Scene& scene, const std::vector<RenderSettings>& all,
+                                         int repeats) {
   const World world = build_world(scene);
-  std::vector<PicturePoint> points;
+  std::vector<ImagePoint> points;
   std::vector<Plan> plans;
   for (const RenderSettings& settings : all) {
-    PicturePoint point;
+    ImagePoint point;
     point.settings = settings;
     points.push_back(point);
     plans.push_back(make_plan(scene, settings));
@@ -54,8 +54,8 @@ std::vector<PicturePoint> measure_pictures(const Scene& scene,
         [&, i] { points[i].rays = render_once(scene, plans[i], world).rays.total(); });
   const std::vector<Runs> runs = interleaved(works, repeats, true);
   for (std::size_t i = 0; i < plans.size(); ++i) {
-    points[i].render_seconds = runs[i].cpu_spread();
-    points[i].wall_seconds = runs[i].wall_spread();
+    points[i].render_seconds = runs[i].cpu_summary();
+    points[i].wall_seconds = runs[i].wall_summary();
     points[i].film_bytes = film_bytes(plans[i], 0);
     points[i].band_film_bytes = film_bytes(plans[i], plans[i].grid.count());
   }
@@ -86,17 +86,17 @@ std::vector<ThreadPoint> measure_threads(const Scene& scene, const RenderSetting
   const std::vector<Runs> runs = interleaved(works, repeats, true);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Runs &render = runs[2 * i], &loop = runs[2 * i + 1];
-    points[i].wall_seconds = render.wall_spread();
-    points[i].render_seconds = render.cpu_spread();
-    points[i].loop_wall_seconds = loop.wall_spread();
+    points[i].wall_seconds = render.wall_summary();
+    points[i].render_seconds = render.cpu_summary();
+    points[i].loop_wall_seconds = loop.wall_summary();
     points[i].speedup = speedups(runs[0].wall, render.wall);
     points[i].loop_speedup = speedups(runs[1].wall, loop.wall);
   }
   return points;
 }
 
-std::vector<PicturePoint> measure_sizes(const Scene& scene, const RenderSettings& settings,
-                                        int repeats) {
+std::vector<ImagePoint> measure_sizes(const Scene& scene, const RenderSettings& settings,
+                                      int repeats) {
   std::vector<RenderSettings> all;
   for (const int doublings : {-2, -1, 0, 1}) {
     RenderSettings sized = settings;
@@ -111,8 +111,8 @@ std::vector<PicturePoint> measure_sizes(const Scene& scene, const RenderSettings
   return measure_pictures(scene, all, repeats);
 }
 
-std::vector<PicturePoint> measure_samples(const Scene& scene, const RenderSettings& settings,
-                                          int repeats) {
+std::vector<ImagePoint> measure_samples(const Scene& scene, const RenderSettings& settings,
+                                        int repeats) {
   std::vector<RenderSettings> all;
   for (const int samples : {1, 2, 4, 8, 16}) {
     all.push_back(settings);

@@ -7,7 +7,7 @@
 
 namespace abbe::bench {
 
-Spread spread(std::vector<double> values) {
+Summary summary(std::vector<double> values) {
   if (values.empty()) return {};
   std::vector<double> sorted = values;
   std::sort(sorted.begin(), sorted.end());

@@ -11,13 +11,13 @@ struct Seconds {
   double wall = 0.0, cpu = 0.0;
 };
 
-/// Repeated measurements of one thing.
-struct Spread {
+/// Repeated measurements of one thing, in short.
+struct Summary {
   double median = 0.0, lowest = 0.0, highest = 0.0;
   std::vector<double> repeats; ///< all of them, in the order in which they were measured
 };
 
-[[nodiscard]] Spread spread(std::vector<double> values);
+[[nodiscard]] Summary summary(std::vector<double> values);
 
 [[nodiscard]] Seconds time_of(const std::function<void()>& work);
 
@@ -25,8 +25,8 @@ struct Spread {
 struct Runs {
   std::vector<double> wall, cpu;
 
-  [[nodiscard]] Spread wall_spread() const { return spread(wall); }
-  [[nodiscard]] Spread cpu_spread() const { return spread(cpu); }
+  [[nodiscard]] Summary wall_summary() const { return summary(wall); }
+  [[nodiscard]] Summary cpu_summary() const { return summary(cpu); }
 };
 
 /// Runs every piece of work once, `repeats` times over, so that a change in the machine's mood

@@ -10,7 +10,7 @@ namespace abbe::bench {
 /// The text with what means something in XML replaced by entities.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-/// A coordinate in a picture: two digits behind the point, no trailing zeros. Throws
+/// A coordinate in an image: two digits behind the point, no trailing zeros. Throws
 /// std::invalid_argument for what is not finite.
 [[nodiscard]] std::string coordinate(double value);
 

@@ -11,7 +11,7 @@ struct Tick {
   std::string label; ///< empty: a small one
 };
 
-/// How values are spread along an axis; `whole`: evenly, with ticks at whole numbers alone.
+/// How values are laid out along an axis; `whole`: evenly, with ticks at whole numbers alone.
 enum class Scale : std::uint8_t { even, whole, logarithmic };
 
 /// Takes values to places along an edge of a plot.

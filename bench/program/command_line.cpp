@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kExitUsage = 2;
 
-/// Pictures of rays, bands and plan take this many samples, those of error what the budgets say.
+/// Images of rays, bands and plan take this many samples, those of error what the budgets say.
 constexpr int kUsualSamples = 4;
 
 /// What is read as words and checked behind the parser.
@@ -59,7 +59,7 @@ void add_common(CLI::App& app, Options& options, Words& words) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   app.add_flag("--quick", words.quick,
-               "Small pictures, one repeat: to see that all works, not how fast it is");
+               "Small images, one repeat: to see that all works, not how fast it is");
   app.add_option("--json", options.json, "Write the results to this file too")->type_name("FILE");
   app.add_option("--html", options.html, "Write tables and plots as one page")->type_name("FILE");
   app.add_option("--plots", options.plots, "Write each plot as SVG into this folder")

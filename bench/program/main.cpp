@@ -17,7 +17,7 @@ namespace {
 
 using namespace abbe;
 
-constexpr int kBadNews = 1; ///< exit code: something became slower, or a skip changes a picture
+constexpr int kBadNews = 1; ///< exit code: something became slower, or a skip changes an image
 
 void show(const bench::Table& table) {
   fmt::print("{}", bench::to_text(table));

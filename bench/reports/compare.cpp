@@ -33,7 +33,7 @@ const char* word(Verdict verdict) {
 Change change_of(const Timing& first, const Timing& second, double margin) {
   Change change;
   change.name = first.name;
-  const double before = spread(first.repeats).median, after = spread(second.repeats).median;
+  const double before = summary(first.repeats).median, after = summary(second.repeats).median;
   change.ratio = after / before;
   change.interval = ratio_interval(first.repeats, second.repeats, kConfidence);
   if (std::max(before, after) < kLeastSeconds) return change;

@@ -15,7 +15,7 @@ std::string seconds_text(double seconds) {
   return fmt::format("{:.3f}", seconds);
 }
 
-std::string spread_text(const Spread& s) {
+std::string range_text(const Summary& s) {
   const double percent = s.median > 0.0 ? 50.0 * (s.highest - s.lowest) / s.median : 0.0;
   return fmt::format("{:.0f}", percent);
 }

@@ -14,7 +14,7 @@ namespace abbe::bench {
 [[nodiscard]] std::string size_text(const RenderSettings& settings);
 [[nodiscard]] std::string seconds_text(double seconds);
 /// Half the range over the median, in percent.
-[[nodiscard]] std::string spread_text(const Spread& spread);
+[[nodiscard]] std::string range_text(const Summary& summary);
 /// Mray/s.
 [[nodiscard]] std::string speed_text(std::size_t rays, double seconds);
 /// Three digits, or a dash where there is nothing.

@@ -7,12 +7,12 @@
 namespace abbe::bench {
 namespace {
 
-PlotValue with_range(const Spread& s, double factor = 1.0) {
+PlotValue with_range(const Summary& s, double factor = 1.0) {
   return {factor * s.median, factor * s.lowest, factor * s.highest};
 }
 
 /// Mray/s of so many rays.
-PlotValue speed(std::size_t rays, const Spread& seconds) {
+PlotValue speed(std::size_t rays, const Summary& seconds) {
   const double mega = 1e-6 * static_cast<double>(rays);
   return {mega / seconds.median, mega / seconds.highest, mega / seconds.lowest};
 }
@@ -52,10 +52,10 @@ LinePlot primitives_plot(const Scaling& s, const char* title, const char* y_labe
   return plot;
 }
 
-LinePlot pictures_plot(const Scaling& s, const std::vector<PicturePoint>& points,
-                       const char* x_label, double (*x)(const RenderSettings&)) {
+LinePlot pictures_plot(const Scaling& s, const std::vector<ImagePoint>& points, const char* x_label,
+                       double (*x)(const RenderSettings&)) {
   PlotLine line{s.scene, {}};
-  for (const PicturePoint& p : points)
+  for (const ImagePoint& p : points)
     line.points.push_back({x(p.settings), with_range(p.render_seconds)});
   return {fmt::format("{}, {} bands", s.scene, s.settings.bands),
           x_label,

@@ -18,7 +18,7 @@ Table table_of(const Machine& m) {
 Table table_of(const RaySpeed& r) {
   Table table{fmt::format("{}, {}, {} bands, {} spp: {} s +-{} % ({} s wall)", r.scene,
                           size_text(r.settings), r.settings.bands, r.settings.samples_per_pixel,
-                          seconds_text(r.render_seconds.median), spread_text(r.render_seconds),
+                          seconds_text(r.render_seconds.median), range_text(r.render_seconds),
                           seconds_text(r.render_wall_seconds.median)),
               {"Mray/s of", "rays", "renderer", "embree 1", "embree 4", "embree 8", "embree 16",
                "world query", "ratio"},
@@ -27,7 +27,7 @@ Table table_of(const RaySpeed& r) {
   for (const KindSpeed& k : r.kinds) {
     auto& row = table.rows.emplace_back();
     row = {name(k.kind), fmt::format("{}", k.rays), speed_text(k.rays, r.render_seconds.median)};
-    for (const Spread& s : k.replay_seconds)
+    for (const Summary& s : k.replay_seconds)
       row.push_back(speed_text(k.rays, s.median));
     row.push_back(speed_text(k.rays, k.query_seconds.median));
     row.push_back(fmt::format("{:.2f}", k.best_replay_seconds() / k.query_seconds.median));
@@ -48,7 +48,7 @@ Table overview(const std::vector<RaySpeed>& speeds) {
   for (const RaySpeed& r : speeds)
     table.rows.push_back(
         {r.scene, fmt::format("{}", r.settings.bands), seconds_text(r.render_seconds.median),
-         spread_text(r.render_seconds), fmt::format("{}", r.counts.total()),
+         range_text(r.render_seconds), fmt::format("{}", r.counts.total()),
          speed_text(r.counts.total(), r.render_seconds.median),
          speed_text(r.counts.total(), r.best_replay_seconds()),
          speed_text(r.counts.total(), r.query_seconds()), fmt::format("{:.2f}", r.ratio())});
@@ -64,7 +64,7 @@ Table table_of(const BandCosts& c) {
   for (const BandCost& cost : c.costs)
     table.rows.push_back(
         {fmt::format("{}", cost.bands), seconds_text(cost.render_seconds.median),
-         spread_text(cost.render_seconds), seconds_text(cost.wall_seconds.median),
+         range_text(cost.render_seconds), seconds_text(cost.wall_seconds.median),
          fmt::format("{:.2f}", cost.render_seconds.median / c.costs.front().render_seconds.median),
          fmt::format("{}", cost.counts.total()),
          speed_text(cost.counts.total(), cost.render_seconds.median)});
@@ -84,7 +84,7 @@ Table budgets_table(const ErrorCurves& e) {
     for (const BudgetError& b : curve.budgets) {
       table.rows.push_back(
           {curve.variation.name, fmt::format("{}", b.samples),
-           seconds_text(b.render_seconds.median), spread_text(b.render_seconds),
+           seconds_text(b.render_seconds.median), range_text(b.render_seconds),
            seconds_text(b.wall_seconds.median), fmt::format("{}", b.rays),
            fmt::format("{:.3e}", b.error.rel_mse), fmt::format("{:.2e}", b.error.rmse_xyz),
            fmt::format("{:.3f}", b.error.mean_delta_e), fmt::format("{:.3f}", b.error.delta_e_95)});
@@ -127,7 +127,7 @@ Table table_of(const SkipCosts& c) {
               {}};
   for (const SkipCost& cost : c.costs)
     table.rows.push_back(
-        {cost.without, seconds_text(cost.render_seconds.median), spread_text(cost.render_seconds),
+        {cost.without, seconds_text(cost.render_seconds.median), range_text(cost.render_seconds),
          seconds_text(cost.wall_seconds.median), fmt::format("{:.3f}", cost.ratio.median),
          fmt::format("{:.3f}", cost.ratio.lowest), fmt::format("{:.3f}", cost.ratio.highest),
          fmt::format("{}", cost.changed_pixels)});

@@ -25,27 +25,27 @@ Table threads_table(const Scaling& s) {
                "arithmetic without memory."}};
   for (const ThreadPoint& p : s.threads)
     table.rows.push_back({fmt::format("{}", p.threads), seconds_text(p.wall_seconds.median),
-                          spread_text(p.wall_seconds), seconds_text(p.render_seconds.median),
+                          range_text(p.wall_seconds), seconds_text(p.render_seconds.median),
                           fmt::format("{:.2f}", p.speedup.median),
                           fmt::format("{:.2f}", p.loop_speedup.median),
                           fmt::format("{:.2f}", p.share_of_loop())});
   return table;
 }
 
-Table pictures_table(const Scaling& s, const std::vector<PicturePoint>& points, const char* by) {
+Table pictures_table(const Scaling& s, const std::vector<ImagePoint>& points, const char* by) {
   Table table{fmt::format("{}, {} bands, by {}", s.scene, s.settings.bands, by),
               {"size", "spp", "seconds", "+- %", "wall s", "rays", "ns/ray", "ns/sample",
                "film B/pixel", "with all bands"},
               {},
               {}};
-  for (const PicturePoint& p : points) {
+  for (const ImagePoint& p : points) {
     const RenderSettings& r = p.settings;
     const auto pixels =
         r.crop ? r.crop->pixel_count()
                : static_cast<std::size_t>(r.width) * static_cast<std::size_t>(r.height);
     const auto samples = pixels * static_cast<std::size_t>(r.samples_per_pixel);
     table.rows.push_back({size_text(r), fmt::format("{}", r.samples_per_pixel),
-                          seconds_text(p.render_seconds.median), spread_text(p.render_seconds),
+                          seconds_text(p.render_seconds.median), range_text(p.render_seconds),
                           seconds_text(p.wall_seconds.median), fmt::format("{}", p.rays),
                           nanoseconds_each(p.render_seconds.median, p.rays),
                           nanoseconds_each(p.render_seconds.median, samples),
@@ -65,8 +65,8 @@ Table primitives_table(const Scaling& s, const std::vector<PrimitivePoint>& poin
   for (const PrimitivePoint& p : points)
     table.rows.push_back(
         {fmt::format("{}", p.primitives), fmt::format("{:.2e}", p.build_seconds.median),
-         spread_text(p.build_seconds), fmt::format("{:.2e}", p.build_wall_seconds.median),
-         seconds_text(p.render_seconds.median), spread_text(p.render_seconds),
+         range_text(p.build_seconds), fmt::format("{:.2e}", p.build_wall_seconds.median),
+         seconds_text(p.render_seconds.median), range_text(p.render_seconds),
          fmt::format("{}", p.rays), nanoseconds_each(p.render_seconds.median, p.rays),
          bytes_each(p.bytes, p.primitives)});
   return table;

@@ -7,7 +7,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json(const Spread& s) {
+Json json(const Summary& s) {
   return {
       {"median", s.median}, {"lowest", s.lowest}, {"highest", s.highest}, {"repeats", s.repeats}};
 }
@@ -157,7 +157,7 @@ Json json(const ThreadPoint& p) {
           {"share_of_loop", p.share_of_loop()}};
 }
 
-Json json(const PicturePoint& p) {
+Json json(const ImagePoint& p) {
   return {{"width", p.settings.width},
           {"height", p.settings.height},
           {"samples_per_pixel", p.settings.samples_per_pixel},

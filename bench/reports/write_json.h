@@ -19,7 +19,7 @@ struct Report {
   std::vector<Scaling> scalings;
 };
 
-/// The report as JSON, keys as in the structs; docs/performance.md names them.
+/// The report as JSON. Its keys are the names of the structs' members.
 [[nodiscard]] std::string to_json_text(const Report& report);
 
 } // namespace abbe::bench

@@ -10,10 +10,10 @@
 
 namespace abbe {
 
-// Sums and maxima over bands [first, last) in eight lanes side by side, which the compiler puts
-// into one register; one after the other each step would wait for the one before. A band's lane
-// depends on the band alone, so bands without power change nothing by being there. Arrays are
-// padded as BandTable's are, and one band alone needs no lanes.
+// Sums and maxima over bands [first, last). They are computed in eight lanes, which the compiler
+// puts into one register, since a single running sum would make each step wait for the one before.
+// A band's lane depends on the band alone, so that bands without power do not change the result.
+// Arrays are padded like those of BandTable. A single band needs no lanes.
 
 namespace band_math {
 
@@ -27,8 +27,8 @@ using Wide = float __attribute__((vector_size(sizeof(Lanes))));
   return wide;
 }
 
-/// Calls step(lane, value of a, value of c) for all bands, eight at once. Arrays are padded, so
-/// whole groups of eight may be read; lanes outside the range stay as they are.
+/// Calls step(lane, value of a, value of c) for all bands, eight at once. Whole groups of eight are
+/// read, which the padding allows, and lanes outside the range keep their values.
 template <class Step>
 Lanes over_lanes(const float* a, const float* c, int first, int last, Step&& step) {
   using Indices = std::int32_t __attribute__((vector_size(sizeof(Lanes))));
@@ -89,7 +89,8 @@ inline float largest(const Lanes& lanes) {
 
 /// True when no value is 0 or less.
 [[nodiscard]] inline bool all_above_zero(BandSpan<const float> values) {
-  // A float is positive when its bits, taken as a number, are; those have a least in one step.
+  // A float is above 0 when its bits are, taken as an integer, and the smallest of integers is
+  // found in whole registers.
   std::int32_t least = 1;
   for (int b = values.bands.first; b < values.bands.last; ++b)
     least = std::min(least, std::bit_cast<std::int32_t>(values[b]));

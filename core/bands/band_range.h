@@ -2,7 +2,7 @@
 
 namespace abbe {
 
-/// Bands [first, last).
+/// The bands from `first` up to, but without, `last`.
 struct BandRange {
   int first = 0, last = 0;
 

@@ -6,8 +6,8 @@
 namespace abbe {
 namespace {
 
-/// No band that carries light gets less than this part of the mean share, so that spectra are good
-/// at their ends too.
+/// No band that carries light gets less than this part of the mean share, so that the ends of
+/// spectra have little noise too.
 constexpr double kLeastShare = 0.25;
 
 std::size_t index(int band) {
@@ -40,7 +40,7 @@ int BandShares::place(BandRange range, double part) const {
   const double target = below_[index(range.first)] + part * of(range);
   const auto begin = below_.begin() + range.first + 1, end = below_.begin() + range.last;
   auto found = std::lower_bound(begin, end, target);
-  // The nearer of the two borders.
+  // Take the nearer of the two borders.
   if (found != begin && (found == end || *found - target > target - *(found - 1))) --found;
   return static_cast<int>(found - below_.begin());
 }
@@ -50,7 +50,7 @@ BandShares::Kept BandShares::keep_one(BandRange range, double u) const {
   if (!(share > 0.0)) return {range.first, static_cast<float>(range.size())};
   const double target = below_[index(range.first)] + u * share;
   const auto begin = below_.begin() + range.first + 1, end = below_.begin() + range.last;
-  // The first band that ends beyond the target; none without a share does.
+  // Take the first band that ends beyond the target, but none without a share.
   int band = static_cast<int>(std::upper_bound(begin, end, target) - below_.begin()) - 1;
   while (band > range.first && of({band, band + 1}) == 0.0)
     --band;

@@ -7,28 +7,30 @@
 
 namespace abbe {
 
-/// How a path that can follow a few bands alone divides itself among all of them.
+/// How a path that can follow only a few bands divides itself among all of them.
 ///
-/// One band for each of n parts of equal share, each kept by the same number u, is a lattice on the
-/// bands. Parts of equal width would spend half their rays where the eye sees next to nothing;
-/// parts by what the eye sees have weights that jump where it sees little. Shares in proportion to
-/// the cube root of that lie between, and have little noise from 3 parts on;
-/// docs/decisions/bundles.md has the figures.
+/// The bands are cut into n parts of equal share, and the same number u chooses one band of each,
+/// so that the chosen bands form a lattice. With parts of equal width half of the rays would go
+/// where the eye sees next to nothing. With parts by what the eye sees, weights would jump where it
+/// sees little. Shares in proportion to the cube root of what it sees lie between, and have little
+/// noise from 3 parts on; docs/decisions/bundles.md has the figures.
 class BandShares {
 public:
   BandShares() = default;
-  /// `seen` tells what each band counts in the picture; 0 for one that carries no light.
+  /// `seen` is the weight of each band in the image; 0 for a band that carries no light.
   explicit BandShares(std::span<const double> seen);
 
-  /// The share of a range; that of all bands is 1.
+  /// The share of a range. That of all bands is 1.
   [[nodiscard]] double of(BandRange range) const;
-  /// Where a range of two bands at least falls into halves of equal share, neither of them empty.
+  /// The band at which a range of at least two bands is cut into halves of equal share, neither of
+  /// them empty.
   [[nodiscard]] int middle(BandRange range) const { return place(range, 0.5); }
-  /// Where this part of a range's share lies before. Of two bands or more, neither side is empty.
+  /// The band before which this part of a range's share lies. Of two or more bands, neither side is
+  /// empty.
   [[nodiscard]] int place(BandRange range, double part) const;
 
-  /// A band that stands for all of a range, and the weight that makes up for the others: 1 over the
-  /// chance of choosing it by a number in [0, 1).
+  /// A band that stands for a whole range, and its weight: 1 over the probability with which a
+  /// number in [0, 1) chooses it.
   struct Kept {
     int band;
     float weight;
@@ -36,7 +38,7 @@ public:
   [[nodiscard]] Kept keep_one(BandRange range, double u) const;
 
 private:
-  std::vector<double> below_; ///< the share of all bands before each one, and that of all
+  std::vector<double> below_; ///< the share of all bands before each band; last, the share of all
 };
 
 } // namespace abbe

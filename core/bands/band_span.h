@@ -15,10 +15,14 @@ struct BandSpan {
   BandRange bands;
 
   [[nodiscard]] T& operator[](int band) const { return data[band]; }
-  /// The same array for another range, as a rule for a part of this one.
+  /// The same array for another range, usually a part of this one.
   [[nodiscard]] BandSpan of(BandRange range) const { return {data, range}; }
 
-  operator BandSpan<const T>() const requires(!std::is_const_v<T>) { return {data, bands}; }
+  operator BandSpan<const T>() const
+    requires(!std::is_const_v<T>)
+  {
+    return {data, bands};
+  }
 };
 
 } // namespace abbe

@@ -16,7 +16,8 @@ inline constexpr std::size_t kBandPadding = 16;
   return (static_cast<std::size_t>(bands) + kBandPadding - 1) / kBandPadding * kBandPadding;
 }
 
-/// A curve at the bands of a grid. A constant one knows it, so that loops need not look it up.
+/// The values of a curve at the bands of a grid. A table of one value knows that, so that loops
+/// need not look it up.
 class BandTable {
 public:
   BandTable() : BandTable(0.0f, 0) {}
@@ -30,11 +31,11 @@ public:
   [[nodiscard]] static BandTable at_centers(const BandGrid& grid, const Curve& curve,
                                             bool keep_constant);
 
-  /// The same at any wavelengths, one per band.
+  /// The curve's value at given wavelengths, one per band.
   [[nodiscard]] static BandTable at_wavelengths(const std::vector<double>& nm, const Curve& curve,
                                                 bool keep_constant);
 
-  /// The same with a number added in every one of its bands.
+  /// A copy with a number added in each of the bands.
   [[nodiscard]] BandTable plus(float addend, int bands) const;
 
   [[nodiscard]] bool zero() const { return zero_; }
@@ -42,7 +43,7 @@ public:
   [[nodiscard]] float operator[](int band) const { return values_[static_cast<std::size_t>(band)]; }
   [[nodiscard]] const float* data() const { return values_.data(); }
 
-  /// The values, to be overwritten: from now on the table passes for one that varies.
+  /// The values, to be overwritten. From then on the table counts as one that varies.
   [[nodiscard]] float* varying() {
     constant_.reset();
     zero_ = false;
@@ -55,8 +56,8 @@ private:
   bool zero_ = false;
 };
 
-/// A lamp's strength, for shares between lamps: the mean over the bands, since colours that the
-/// eye hardly sees are light too.
+/// The strength of a spectrum, for choosing between lights: its mean over the bands. Bands that the
+/// eye hardly sees count as much as others, since they are light too.
 [[nodiscard]] double band_mean(const Curve& spectrum, const BandGrid& grid);
 
 } // namespace abbe

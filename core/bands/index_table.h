@@ -9,9 +9,9 @@
 
 namespace abbe {
 
-/// A medium's refractive index, tabulated finely enough that linear interpolation between entries
-/// is off by less than 1e-7: the step h is 1/16 nm, and n'' stays below 2e-4 per nm^2 for what the
-/// catalogue holds (rutile at 380 nm is the worst), so the error n'' h^2 / 8 is below 1e-7.
+/// A medium's refractive index, tabulated so finely that the error of linear interpolation is below
+/// 1e-7: the step h is 1/16 nm, and n'' stays below 2e-4 per nm^2 in the whole catalogue (rutile at
+/// 380 nm is the worst), so that n'' h^2 / 8 is below 1e-7.
 class IndexTable {
 public:
   /// Vacuum.
@@ -26,7 +26,7 @@ public:
     const double f = x - static_cast<double>(i);
     return samples_[i] + f * (samples_[i + 1] - samples_[i]);
   }
-  /// The same at `count` wavelengths at equal distances.
+  /// Fills `indices` at `count` wavelengths, `step_nm` apart.
   void fill(double first_nm, double step_nm, int count, double* indices) const {
     if (samples_.size() == 1) {
       std::fill_n(indices, count, samples_[0]);

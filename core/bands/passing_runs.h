@@ -5,9 +5,9 @@
 
 namespace abbe {
 
-/// The runs of neighbouring bands whose value is more than 0, from the lowest band to the highest:
-/// `for (BandRange run : PassingRuns(values))`. Bands under total reflection, and those without
-/// power, have no refracted ray. What remains is one run as a rule, and more where n(lambda) turns.
+/// The runs of neighbouring bands whose value is above 0, from the lowest band to the highest:
+/// `for (BandRange run : PassingRuns(values))`. Bands under total reflection and bands without
+/// power have no refracted ray. The others usually form one run, and more where n(lambda) turns.
 class PassingRuns {
 public:
   explicit PassingRuns(BandSpan<const float> values) : values_(values) {}
@@ -37,8 +37,8 @@ public:
       run_ = {first, last};
     }
 
-    BandSpan<const float> rest_; ///< from the run on
-    BandRange run_;              ///< empty where there is none any more
+    BandSpan<const float> rest_; ///< begins with the current run
+    BandRange run_;              ///< empty behind the last run
   };
 
   [[nodiscard]] Iterator begin() const { return Iterator(values_); }

@@ -13,21 +13,22 @@
 
 namespace abbe {
 
-/// What a surface can be, beside the thesis's sum of Lambert's part and Phong's highlight, to which
-/// it adds. Every type of the set has these members, which the functions below visit:
+/// The closed set of BSDFs. A material adds one of them to the thesis's sum of Lambert's part and
+/// Phong's highlight. Every type of the set has these members, which the functions below visit:
 ///
 ///   facts()                 where light goes, for the plan and the integrators
-///   layer()                 the layer of its own, if it has one
-///   specular(in, factors)   factors per band on the reflected and the refracted ray; of a rough
-///                           surface those of a smooth one
-///   evaluate(in, wi, f_cos) f times cosine per band of what goes in many directions; returns the
-///                           pdf with which `sample` picks `wi`
-///   sample(in, u, lobe)     a direction for four numbers in [0, 1), `lobe` the way of scattering
-///                           and the band by which it goes; nothing where it has no light to bring
-///   pass_straight(in, t)    multiplies the transmittance of the thesis's attenuated shadow ray,
-///                           which goes straight on, into `t`
+///   layer()                 its layer, if it has one
+///   specular(in, factors)   fills the factors per band on the reflected and the refracted ray; a
+///                           rough surface gives those of a smooth one
+///   evaluate(in, wi, f_cos) fills in the non-specular part of the BSDF times cosine, per band, and
+///                           returns the pdf with which `sample` picks `wi`
+///   sample(in, u, lobe)     a direction for four numbers in [0, 1), of which lobe.x chooses the
+///                           lobe and lobe.y the band by which it scatters; empty where the
+///                           direction brings no light
+///   pass_straight(in, t)    multiplies `t` by the transmittance for the thesis's attenuated shadow
+///                           ray, which goes straight on
 ///
-/// Another BSDF is a file pair with such a type, its name here, a test, and a keyword that makes
+/// A new BSDF needs a file pair with such a type, its name here, a test, and a keyword that makes
 /// it. See docs/decisions/bsdfs.md.
 using Bsdf = std::variant<Diffuse, CoatedDiffuse, Mirror, Conductor, Dielectric, RoughConductor,
                           RoughDielectric, ThinGlass>;

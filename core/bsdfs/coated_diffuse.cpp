@@ -17,7 +17,7 @@ CoatedGround ground(const CoatedDiffuse& surface, const Incidence& in) {
   return coated;
 }
 
-/// The boundary of the coat.
+/// The optics of the coat's upper boundary.
 SurfaceOptics upper_side(const Incidence& in) {
   SurfaceOptics optics;
   optics.n_before = in.n_before;
@@ -29,14 +29,14 @@ SurfaceOptics upper_side(const Incidence& in) {
 
 void CoatedDiffuse::specular(const Incidence& in, const SpecularFactors& out) const {
   const SurfaceOptics optics = upper_side(in);
-  for (int b = in.first; b < in.last; ++b)
+  for (int b = in.bands.first; b < in.bands.last; ++b)
     out.reflected[b] = static_cast<float>(optics.fractions(b, in.cos_o()).reflected);
 }
 
 double CoatedDiffuse::evaluate(const Incidence& in, const dvec3& wi, float* f_cos) const {
   if (!(in.wo.z > 0.0)) return Diffuse().evaluate(in, wi, f_cos);
   const double pdf =
-      evaluate_coated_ground(ground(*this, in), upper_side(in), in.wo, wi, in.bands(), f_cos);
+      evaluate_coated_ground(ground(*this, in), upper_side(in), in.wo, wi, in.live_bands(), f_cos);
   return roughness > 0.0 ? pdf : wi.z / std::numbers::pi; // a smooth coat's mirror is no part of it
 }
 

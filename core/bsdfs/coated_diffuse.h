@@ -7,12 +7,12 @@
 
 namespace abbe {
 
-/// Lambert's reflection below a clear coat, as of plastic or varnish. A smooth coat mirrors along
-/// one ray; a rough one mirrors by its facets.
+/// Lambert's reflection below a clear coat, as of plastic or varnish. A smooth coat also reflects
+/// like a mirror; a rough one reflects by its facets.
 struct CoatedDiffuse {
-  int coat = -1;                          ///< its index, into Plan::layers
-  double roughness = 0.0;                 ///< of the coat, see Ggx::from_roughness; 0: it is smooth
-  std::optional<DielectricAlbedo> albedo; ///< of its facets, where an integrator shows them
+  int coat = -1;                          ///< index into Plan::layers
+  double roughness = 0.0;                 ///< of the coat, see Ggx::from_roughness; 0: smooth
+  std::optional<DielectricAlbedo> albedo; ///< of the facets, if the integrator shows them
 
   [[nodiscard]] BsdfFacts facts() const {
     return {.reflects = true, .rough = roughness > 0.0, .coats = true};
@@ -22,7 +22,7 @@ struct CoatedDiffuse {
   double evaluate(const Incidence& in, const dvec3& wi, float* f_cos) const;
   [[nodiscard]] std::optional<dvec3> sample(const Incidence& in, const dvec2& u,
                                             const dvec2& lobe) const;
-  /// Finds `albedo` for media and layers whose indices have at most this ratio.
+  /// Computes `albedo` for media and layers whose indices have at most this ratio.
   void find_albedo(double largest_ratio);
   void pass_straight(const Incidence& in, float* transmittance) const {
     block_straight(in, transmittance);

@@ -8,7 +8,7 @@
 
 namespace abbe {
 
-/// A smooth metal of complex index n - i k, bare or below a thin film.
+/// A smooth metal with the complex index n - i k, bare or below a thin film.
 struct Conductor {
   BandTable reflectivity; ///< scales what Fresnel's equations give
   BandTable n, k;
@@ -26,7 +26,7 @@ struct Conductor {
   void pass_straight(const Incidence& in, float* transmittance) const {
     block_straight(in, transmittance);
   }
-  /// As the optics of one facet.
+  /// The optics of one facet of such a metal.
   [[nodiscard]] SurfaceOptics optics(const Incidence& in) const;
 };
 

@@ -10,10 +10,10 @@
 namespace abbe {
 namespace {
 
-/// True when the medium has one index for all these bands. Most of a scene's glass may disperse,
-/// but where it does not, Fresnel's equations need solving once and not per band.
+/// True when the medium has one index for all these bands. Fresnel's equations then need to be
+/// solved only once.
 bool alike(const double* n, int first, int last) {
-  // By their bits, which whole registers can compare; indices are no zeros of two signs.
+  // Compare bits, since that works in whole registers. Equal indices have equal bits: none is 0.
   const auto bits = [n](int b) { return std::bit_cast<std::uint64_t>(n[b]); };
   std::uint64_t differing = 0;
   for (int b = first; b < last; ++b)
@@ -22,14 +22,15 @@ bool alike(const double* n, int first, int last) {
 }
 
 bool one_boundary(const Incidence& in) {
-  return alike(in.n_before, in.first, in.last) && alike(in.n_after, in.first, in.last);
+  return alike(in.n_before, in.bands.first, in.bands.last) &&
+         alike(in.n_after, in.bands.first, in.bands.last);
 }
 
 struct Parts {
   float reflected, transmitted;
 };
 
-// In line, so that the loop over bands can be done for several at once.
+// In line so that the loop over bands can be vectorised.
 [[gnu::always_inline]] inline Parts parts(bool fresnel, double cos_o, double n_before,
                                           double n_after, Transport transport) {
   const Fractions f = dielectric_fractions(fresnel, cos_o, n_before, n_after);
@@ -45,9 +46,9 @@ float passed_straight(bool fresnel, double cos_o, double eta) {
 }
 
 void filmed(const Dielectric& surface, const Incidence& in, const SpecularFactors& out) {
-  thin_film_reflectances(in.cos_o(), in.n_before, in.n_layer, in.n_after, surface.film.thickness_nm,
-                         in.lambda_nm, in.first, in.last, out.reflected);
-  for (int b = in.first; b < in.last; ++b) {
+  thin_film_reflectances(in.cos_o(), in.n_before, surface.film.optics(in), in.n_after,
+                         {out.reflected, in.bands});
+  for (int b = in.bands.first; b < in.bands.last; ++b) {
     const auto reflected = static_cast<double>(out.reflected[b]);
     const double ratio = in.transport == Transport::radiance ? in.n_before[b] / in.n_after[b] : 1.0;
     out.reflected[b] = static_cast<float>(reflected * static_cast<double>(surface.reflectivity[b]));
@@ -60,7 +61,7 @@ void pass_film(const Dielectric& surface, const Incidence& in, float* transmitta
   const SurfaceOptics optics = surface.optics(in);
   SurfaceOptics reversed = optics;
   std::swap(reversed.n_before, reversed.n_after);
-  for (int b = in.first; b < in.last; ++b) {
+  for (int b = in.bands.first; b < in.bands.last; ++b) {
     const SurfaceOptics& thin_first = in.n_before[b] <= in.n_after[b] ? optics : reversed;
     transmittance[b] *= static_cast<float>(thin_first.fractions(b, in.cos_o()).transmitted *
                                            optics.transmission_scale(b));
@@ -81,7 +82,7 @@ void Dielectric::specular(const Incidence& in, const SpecularFactors& out) const
   const double cos_o = in.cos_o();
   const double* n_before = in.n_before;
   const double* n_after = in.n_after;
-  const int first = in.first, last = in.last;
+  const auto [first, last] = in.bands;
   if (one_boundary(in)) {
     const Parts p = parts(fresnel, cos_o, n_before[first], n_after[first], in.transport);
     for (int b = first; b < last; ++b) {
@@ -108,12 +109,12 @@ void Dielectric::pass_straight(const Incidence& in, float* transmittance) const 
   const double cos_o = in.cos_o();
   if (one_boundary(in)) {
     const float passed =
-        passed_straight(fresnel, cos_o, in.n_after[in.first] / in.n_before[in.first]);
-    for (int b = in.first; b < in.last; ++b)
+        passed_straight(fresnel, cos_o, in.n_after[in.bands.first] / in.n_before[in.bands.first]);
+    for (int b = in.bands.first; b < in.bands.last; ++b)
       transmittance[b] *= passed * transmit[b];
     return;
   }
-  for (int b = in.first; b < in.last; ++b)
+  for (int b = in.bands.first; b < in.bands.last; ++b)
     transmittance[b] *=
         passed_straight(fresnel, cos_o, in.n_after[b] / in.n_before[b]) * transmit[b];
 }

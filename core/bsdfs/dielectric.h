@@ -8,12 +8,12 @@
 
 namespace abbe {
 
-/// A smooth boundary between two clear media, bare or below a thin film. Radiance that comes
-/// through is scaled by (n_before / n_after)^2, since a pencil of rays changes its solid angle
-/// there; flux is not. Under total internal reflection nothing comes through.
+/// A smooth boundary between two clear media, bare or below a thin film. Transmitted radiance is
+/// scaled by (n_before / n_after)^2, since a pencil of rays changes its solid angle there; flux is
+/// not. Under total internal reflection nothing is transmitted.
 struct Dielectric {
   BandTable reflectivity, transparency; ///< scale the two fractions that Fresnel's equations give
-  bool fresnel = true; ///< without, the two are the fractions; there is no film then
+  bool fresnel = true; ///< without, the two are the fractions, and there is no film
   FilmLayer film;
 
   [[nodiscard]] BsdfFacts facts() const {
@@ -27,10 +27,10 @@ struct Dielectric {
   [[nodiscard]] std::optional<dvec3> sample(const Incidence&, const dvec2&, const dvec2&) const {
     return std::nullopt;
   }
-  /// The angle is taken in the thinner medium, so that total reflection, which a bent ray would
-  /// have avoided, does not occur.
+  /// The angle counts as that in the thinner medium, since total reflection would stop a straight
+  /// ray where a refracted one gets through.
   void pass_straight(const Incidence& in, float* transmittance) const;
-  /// As the optics of one facet.
+  /// The optics of one facet of such a boundary.
   [[nodiscard]] SurfaceOptics optics(const Incidence& in) const;
 };
 

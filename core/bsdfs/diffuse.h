@@ -6,8 +6,8 @@
 
 namespace abbe {
 
-/// Lambert's reflection alone: nothing on it mirrors or lets light through. Its reflectance is
-/// Incidence::ground, which a texture may have given. `wi` must lie above the surface.
+/// Lambert's reflection alone: it neither reflects like a mirror nor transmits. Its reflectance is
+/// Incidence::ground, which may come from a texture. `wi` must lie above the surface.
 struct Diffuse {
   [[nodiscard]] BsdfFacts facts() const { return {}; }
   [[nodiscard]] BsdfLayer layer() const { return {}; }

@@ -4,7 +4,7 @@
 
 namespace abbe {
 
-/// A thin film on a boundary, in the plan.
+/// A thin film on a boundary, as a BSDF holds it.
 struct FilmLayer {
   double thickness_nm = 0.0; ///< 0: there is none
   int index = -1;            ///< into Plan::layers

@@ -3,8 +3,8 @@
 namespace abbe {
 
 void Mirror::specular(const Incidence& in, const SpecularFactors& out) const {
-  std::copy(reflectivity.data() + in.first, reflectivity.data() + in.last,
-            out.reflected + in.first);
+  std::copy(reflectivity.data() + in.bands.first, reflectivity.data() + in.bands.last,
+            out.reflected + in.bands.first);
 }
 
 SurfaceOptics Mirror::optics(const Incidence& in) const {

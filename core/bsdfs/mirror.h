@@ -7,7 +7,7 @@
 
 namespace abbe {
 
-/// A mirror that returns the same part of the light at every angle.
+/// A mirror that reflects the same part of the light at every angle.
 struct Mirror {
   BandTable reflectivity;
 
@@ -23,7 +23,7 @@ struct Mirror {
   void pass_straight(const Incidence& in, float* transmittance) const {
     block_straight(in, transmittance);
   }
-  /// As the optics of one facet.
+  /// The optics of one facet of such a mirror.
   [[nodiscard]] SurfaceOptics optics(const Incidence& in) const;
 };
 

@@ -13,14 +13,14 @@ constexpr double kPi = std::numbers::pi;
 
 } // namespace
 
-/// Of Blinn's half vector the pdf is (e + 1) / (2 pi) cos^e about z, and that of `wi` this over
-/// four times the cosine between the eye and the half vector.
+/// The pdf of Blinn's half vector is (e + 1) / (2 pi) cos^e about z. That of `wi` is this, divided
+/// by four times the cosine between `wo` and the half vector.
 double Phong::add(const Incidence& in, const dvec3& wi, float* f_cos) const {
   const dvec3 half = glm::normalize(in.wo + wi);
   const double bright = strength(half.z);
   const auto f = static_cast<float>(bright / kPi);
   const float* specular = reflectance.data();
-  for (int b = in.first; b < in.last; ++b)
+  for (int b = in.bands.first; b < in.bands.last; ++b)
     f_cos[b] += specular[b] * f;
   const double cosine = glm::dot(in.wo, half);
   if (!(cosine > 0.0)) return 0.0;

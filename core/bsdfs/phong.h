@@ -8,14 +8,14 @@
 
 namespace abbe {
 
-/// The thesis's highlight, a term beside Lambert's part: Phong's, with Blinn's half vector. It has
-/// no cosine; see docs/decisions/materials-and-light.md.
+/// The thesis's highlight, which adds to Lambert's part: Phong's with Blinn's half vector. It has
+/// no factor of the cosine; see docs/decisions/materials-and-light.md.
 struct Phong {
-  BandTable reflectance; ///< zero: there is no highlight
+  BandTable reflectance; ///< where it is zero, there is no highlight
   float exponent = 1.0f;
 
   [[nodiscard]] bool present() const { return !reflectance.zero(); }
-  /// The highlight's strength where the half vector has this cosine with the normal.
+  /// The highlight's strength, by the cosine between the half vector and the normal.
   [[nodiscard]] double strength(double cos_half) const {
     return std::pow(std::max(0.0, cos_half), static_cast<double>(exponent));
   }

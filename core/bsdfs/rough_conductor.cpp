@@ -22,7 +22,7 @@ void RoughConductor::specular(const Incidence& in, const SpecularFactors& out) c
 double RoughConductor::evaluate(const Incidence& in, const dvec3& wi, float* f_cos) const {
   const SurfaceOptics optics =
       std::visit([&](const auto& smooth) { return smooth.optics(in); }, facet);
-  return evaluate_conductor_facets(facets(*this), optics, in.wo, wi, in.bands(), f_cos);
+  return evaluate_conductor_facets(facets(*this), optics, in.wo, wi, in.live_bands(), f_cos);
 }
 
 std::optional<dvec3> RoughConductor::sample(const Incidence& in, const dvec2& u,

@@ -13,8 +13,8 @@ namespace abbe {
 struct RoughConductor {
   std::variant<Mirror, Conductor> facet;
   double roughness = 0.0;          ///< see Ggx::from_roughness
-  bool compensation = true;        ///< light that meets several facets is kept
-  std::optional<GgxAlbedo> albedo; ///< for this compensation
+  bool compensation = true;        ///< adds the light that meets several facets
+  std::optional<GgxAlbedo> albedo; ///< for the compensation
 
   [[nodiscard]] BsdfFacts facts() const { return {.reflects = true, .rough = true}; }
   [[nodiscard]] BsdfLayer layer() const;
@@ -22,7 +22,7 @@ struct RoughConductor {
   double evaluate(const Incidence& in, const dvec3& wi, float* f_cos) const;
   [[nodiscard]] std::optional<dvec3> sample(const Incidence& in, const dvec2& u,
                                             const dvec2& lobe) const;
-  /// Finds `albedo` for media and layers whose indices have at most this ratio.
+  /// Computes `albedo`, which does not depend on the media.
   void find_albedo(double largest_ratio);
   void pass_straight(const Incidence& in, float* transmittance) const {
     block_straight(in, transmittance);

@@ -7,8 +7,9 @@
 namespace abbe {
 namespace {
 
-DielectricFacets facets(const RoughDielectric& surface) {
-  return {Ggx::from_roughness(surface.roughness), surface.albedo ? &*surface.albedo : nullptr};
+DielectricFacets facets(const RoughDielectric& surface, Transport transport) {
+  return {Ggx::from_roughness(surface.roughness), surface.albedo ? &*surface.albedo : nullptr,
+          transport};
 }
 
 } // namespace
@@ -20,14 +21,14 @@ BsdfFacts RoughDielectric::facts() const {
 }
 
 double RoughDielectric::evaluate(const Incidence& in, const dvec3& wi, float* f_cos) const {
-  return evaluate_dielectric_facets(facets(*this), facet.optics(in), in.wo, wi, in.bands(),
-                                    in.transport, f_cos);
+  return evaluate_dielectric_facets(facets(*this, in.transport), facet.optics(in), in.wo, wi,
+                                    in.live_bands(), f_cos);
 }
 
 std::optional<dvec3> RoughDielectric::sample(const Incidence& in, const dvec2& u,
                                              const dvec2& lobe) const {
-  return sample_dielectric_facets(facets(*this), facet.optics(in), in.wo, in.live_band(lobe.y), u,
-                                  lobe.x);
+  return sample_dielectric_facets(facets(*this, in.transport), facet.optics(in), in.wo,
+                                  in.live_band(lobe.y), u, lobe.x);
 }
 
 void RoughDielectric::find_albedo(double largest_ratio) {

@@ -11,8 +11,8 @@ namespace abbe {
 struct RoughDielectric {
   Dielectric facet;
   double roughness = 0.0;                 ///< see Ggx::from_roughness
-  bool compensation = true;               ///< light that meets several facets is kept
-  std::optional<DielectricAlbedo> albedo; ///< for this compensation
+  bool compensation = true;               ///< adds the light that meets several facets
+  std::optional<DielectricAlbedo> albedo; ///< for the compensation
 
   [[nodiscard]] BsdfFacts facts() const;
   [[nodiscard]] BsdfLayer layer() const { return facet.layer(); }
@@ -20,7 +20,7 @@ struct RoughDielectric {
   double evaluate(const Incidence& in, const dvec3& wi, float* f_cos) const;
   [[nodiscard]] std::optional<dvec3> sample(const Incidence& in, const dvec2& u,
                                             const dvec2& lobe) const;
-  /// Finds `albedo` for media and layers whose indices have at most this ratio.
+  /// Computes `albedo` for media and layers whose indices have at most this ratio.
   void find_albedo(double largest_ratio);
   void pass_straight(const Incidence& in, float* transmittance) const {
     facet.pass_straight(in, transmittance);

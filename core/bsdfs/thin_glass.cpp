@@ -7,7 +7,8 @@
 namespace abbe {
 namespace {
 
-/// One polarisation: a face reflects `r`, and a passage leaves the part `a` of the light.
+/// The fractions for one polarisation, where a face reflects the part `r` of the light and a
+/// passage leaves the part `a`.
 Fractions between_faces(double r, double a) {
   const double t = 1.0 - r;
   if (!(t > 0.0)) return {1.0, 0.0}; // along the pane
@@ -16,7 +17,7 @@ Fractions between_faces(double r, double a) {
   return {r + transmitted * a * r, transmitted};
 }
 
-/// A pane whose glass has `eta` times the index around it.
+/// The fractions of a pane whose glass has `eta` times the index around it.
 Fractions pane(double cos_o, double eta, double absorption) {
   const auto cos_t = refracted_cosine(cos_o, eta);
   if (!cos_t) return {1.0, 0.0};
@@ -28,13 +29,13 @@ Fractions pane(double cos_o, double eta, double absorption) {
           0.5 * (across.transmitted + along.transmitted)};
 }
 
-/// Calls visit(band, fractions) for all bands. The fractions are found again only where the index
-/// or the absorption is another one than in the band before.
+/// Calls visit(band, fractions) for all bands. The fractions are computed anew only where the index
+/// or the absorption differs from that of the band before.
 template <class Visit>
 void for_each_band(const ThinGlass& surface, const Incidence& in, Visit&& visit) {
   double eta = 0.0, absorption = -1.0;
   Fractions f{0.0, 0.0};
-  for (int b = in.first; b < in.last; ++b) {
+  for (int b = in.bands.first; b < in.bands.last; ++b) {
     const double next_eta = in.n_layer[b] / in.n_before[b];
     const auto next_absorption = static_cast<double>(surface.absorption[b]);
     if (next_eta != eta || next_absorption != absorption)

@@ -7,16 +7,16 @@
 
 namespace abbe {
 
-/// A pane of glass that is thin beside all else in the scene, with the same medium on both sides.
-/// Light is reflected between its faces until it has left or is absorbed, too often for
-/// interference to show. With r the reflectance of a face and a the part of the light that one
-/// passage leaves, the pane returns and lets through [BW99, 7.6]
+/// A pane of glass that is thin compared with everything else in the scene, with the same medium on
+/// both sides. Light is reflected between its faces until it leaves or is absorbed. The pane is too
+/// thick for visible interference. With r the reflectance of a face and a the part of the light
+/// that one passage leaves, the pane reflects R and transmits T [BW99, 7.6]:
 ///   R = r + t^2 a^2 r / (1 - r^2 a^2),   T = t^2 a / (1 - r^2 a^2),   t = 1 - r,
-/// for each polarisation; for unpolarised light these are the means of both. What comes through
-/// keeps its direction.
+/// for each polarisation; for unpolarised light they are the means of both. Transmitted light keeps
+/// its direction.
 struct ThinGlass {
-  int glass = -1;       ///< its index, into Plan::layers
-  BandTable absorption; ///< of a passage straight through: that leaves exp(-absorption)
+  int glass = -1;                       ///< index into Plan::layers
+  BandTable absorption;                 ///< a passage at normal incidence leaves exp(-absorption)
   BandTable reflectivity, transparency; ///< scale R and T
 
   [[nodiscard]] BsdfFacts facts() const {

@@ -101,7 +101,8 @@ double EnvironmentMap::mean_luminance(const Corners& corners) const {
   return 0.25 * sum;
 }
 
-void EnvironmentMap::scale(const dvec3& direction, int first, int last, float* values) const {
+void EnvironmentMap::scale(const dvec3& direction, BandSpan<float> values) const {
+  const auto [first, last] = values.bands;
   const Corners around = corners(direction);
   Pixel p[4];
   bool grey = true;

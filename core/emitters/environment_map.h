@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bands/band_span.h"
 #include "core/emitters/cell_choice.h"
 #include "core/scene/environment.h"
 
@@ -25,7 +26,7 @@ public:
 
   /// Multiplies values per band by the radiance from this direction (unit) relative to
   /// Environment::light.
-  void scale(const dvec3& direction, int first, int last, float* values) const;
+  void scale(const dvec3& direction, BandSpan<float> values) const;
 
   /// A unit direction for two numbers in [0, 1).
   [[nodiscard]] dvec3 sample(const dvec2& u) const;

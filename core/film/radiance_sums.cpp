@@ -35,10 +35,11 @@ void RadianceSums::clear() {
   used_ = {};
 }
 
-void RadianceSums::add(int source, const float* throughput, const BandTable& reflectance,
-                       float factor, int first, int last) {
+void RadianceSums::add(int source, BandSpan<const float> throughput, const BandTable& reflectance,
+                       float factor) {
   const SourcePlan& s = plan_.sources[static_cast<std::size_t>(source)];
   if (s.factor.zero()) return;
+  const auto [first, last] = throughput.bands;
   used_ = used_.empty() ? BandRange{first, last}
                         : BandRange{std::min(used_.first, first), std::max(used_.last, last)};
   double* sum = sums(s.accumulator);

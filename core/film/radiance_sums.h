@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bands/band_span.h"
 #include "core/plan/plan.h"
 #include "spectral/color.h"
 
@@ -14,9 +15,9 @@ public:
   explicit RadianceSums(const Plan& plan);
 
   void clear();
-  /// Adds throughput * reflectance * factor of light from a source, for bands [first, last).
-  void add(int source, const float* throughput, const BandTable& reflectance, float factor,
-           int first, int last);
+  /// Adds throughput * reflectance * factor of a source's light, for the bands of `throughput`.
+  void add(int source, BandSpan<const float> throughput, const BandTable& reflectance,
+           float factor);
 
   [[nodiscard]] Xyz color() const;
   /// Mean spectral radiance per band; the span is valid until the next call.

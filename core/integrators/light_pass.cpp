@@ -72,14 +72,14 @@ void LightPasses::begin(LightPassState& state, SampleRange samples) const {
 
 void LightPasses::follow(LightPaths& walker, const Chunk& chunk, const Paths& paths,
                          std::uint32_t begun, const Found& found) const {
-  const std::size_t e = chunk.emitter;
+  const std::size_t light = chunk.light;
   for (std::uint32_t i = chunk.first; i < chunk.last; ++i) {
-    const Sampler sampler(~static_cast<int>(e), 0, begun + i, plan_.settings.seed);
-    const auto ray = emission_.lights()[e].sample(sampler);
+    const Sampler sampler(~static_cast<int>(light), 0, begun + i, plan_.settings.seed);
+    const auto ray = emission_.lights()[light].sample(sampler);
     if (!ray) continue;
-    const bool keeps = i < paths.mapped[e];
-    walker.trace(*ray, sampler, 1.0 / paths.shares[e], keeps ? &found.photons : nullptr,
-                 1.0 / std::min(paths.mapped[e], paths.shares[e]), found.counts);
+    const bool keeps = i < paths.mapped[light];
+    walker.trace(*ray, sampler, 1.0 / paths.shares[light], keeps ? &found.photons : nullptr,
+                 1.0 / std::min(paths.mapped[light], paths.shares[light]), found.counts);
   }
 }
 
@@ -97,11 +97,11 @@ LightPasses::Followed LightPasses::follow_chunks(const Paths& paths, LightPassSt
     for (std::size_t c = range.begin(); c < range.end() && !stop; ++c) {
       const bool known = state.is_in_film[c] != 0;
       Chunk chunk = paths.chunks[c];
-      if (known) chunk.last = std::min(chunk.last, paths.mapped[chunk.emitter]);
+      if (known) chunk.last = std::min(chunk.last, paths.mapped[chunk.light]);
       counts[c].record = record;
       std::optional<LightPaths>& walker = known ? without : with_splats;
       if (!walker) walker.emplace(plan_, world_, emission_, camera_, known ? nowhere : film);
-      follow(*walker, chunk, paths, state.begun[chunk.emitter], {result.batches[c], counts[c]});
+      follow(*walker, chunk, paths, state.begun[chunk.light], {result.batches[c], counts[c]});
       if (known) counts[c] = {};
       state.is_in_film[c] = 1;
       ++followed;

@@ -20,7 +20,7 @@ class LightPaths;
 struct LightPassState {
   int passes = 0;                   ///< that have begun
   SampleRange samples;              ///< camera samples that the current pass is for
-  std::vector<std::uint32_t> begun; ///< by emitter: paths of the passes before the current one
+  std::vector<std::uint32_t> begun; ///< by light: paths of the passes before the current one
   std::vector<std::uint8_t>
       is_in_film;            ///< by chunk of the current pass: its splats are in the film
   double first_radius = 0.0; ///< of the photon map in the first pass; 0: not known yet
@@ -51,15 +51,15 @@ public:
                 RayRecord* record);
 
 private:
-  /// A run of one emitter's paths, which one task follows.
+  /// A run of one light's paths, which one task follows.
   struct Chunk {
-    std::size_t emitter;
-    std::uint32_t first, last; ///< numbers among the emitter's paths of this pass
+    std::size_t light;
+    std::uint32_t first, last; ///< numbers among the light's paths of this pass
   };
   /// The paths of one pass.
   struct Paths {
-    std::vector<std::uint32_t> shares; ///< by emitter: how many begin there
-    std::vector<std::uint32_t> mapped; ///< by emitter: how many of these fill the map
+    std::vector<std::uint32_t> shares; ///< by light: how many begin there
+    std::vector<std::uint32_t> mapped; ///< by light: how many of these fill the map
     std::vector<Chunk> chunks;
   };
   [[nodiscard]] Paths paths_of(SampleRange samples) const;
@@ -68,7 +68,7 @@ private:
     PhotonBatch& photons;
     RayCounts& counts;
   };
-  /// Follows a chunk's paths; the emitter has begun so many in earlier passes.
+  /// Follows a chunk's paths. `begun` of the light's paths belong to earlier passes.
   void follow(LightPaths& walker, const Chunk& chunk, const Paths& paths, std::uint32_t begun,
               const Found& found) const;
   /// What all chunks have found, in their order.

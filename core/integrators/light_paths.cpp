@@ -1,7 +1,7 @@
 #include "core/integrators/light_paths.h"
 
 #include "core/integrators/absorption.h"
-#include "core/integrators/unseen_boundary.h"
+#include "core/integrators/straight_on.h"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ FilteredPixel filtered_pixel(PixelFilter filter, double place, double u) {
   std::array<double, kMost> values{};
   double sum = 0.0;
   for (int i = 0; i < kMost; ++i)
-    sum += values[static_cast<std::size_t>(i)] = filter_density(filter, place - (first + i + 0.5));
+    sum += values[static_cast<std::size_t>(i)] = filter_pdf(filter, place - (first + i + 0.5));
   double rest = u * sum;
   int chosen = 0;
   while (chosen < kMost - 1 && rest >= values[static_cast<std::size_t>(chosen)])
@@ -79,7 +79,7 @@ bool LightPaths::arrive() {
   const Hit& hit = bundle().hit;
   absorb(plan_.medium(hit.medium_before), hit.t, throughput());
   if (!plan_.unseen(hit)) return true;
-  pass_unseen_boundary(bundle());
+  go_straight_on(bundle());
   return false;
 }
 
@@ -94,12 +94,13 @@ void LightPaths::shade() {
   if (at_once && !material.facts().specular()) return;
   prepare_scattering();
   if (!at_once) {
-    if (camera_ && scattering_.spreads()) splat(hit);
+    if (camera_ && scattering_.has_nonspecular()) splat(hit);
     // On a mixture photons are all light that arrives: who looks them up chooses the part.
     const MaterialPlan& whole = plan_.materials[hit.material.index()];
     const bool first = bundle().nonspecular_bounces == 0;
-    if (camera_ && first && scattering_.spreads()) branch_off_to_specular(hit);
-    if (photons_ && first && (whole.mixture ? whole.lit() : scattering_.spreads())) keep(hit);
+    if (camera_ && first && scattering_.has_nonspecular()) branch_off_to_specular(hit);
+    if (photons_ && first && (whole.mixture ? whole.lit() : scattering_.has_nonspecular()))
+      keep(hit);
   }
   const auto [kind, chance] =
       scattering_.choose_specular(scattering_.certain() ? 0.0 : numbers(kScatter).x);
@@ -111,7 +112,7 @@ void LightPaths::shade() {
   case ScatterKind::pass:
     return pass(chance);
   case ScatterKind::none:
-  case ScatterKind::spread:
+  case ScatterKind::nonspecular:
     break;
   }
 }
@@ -119,12 +120,12 @@ void LightPaths::shade() {
 /// A sub-bundle towards something that mirrors or refracts: what comes that way to a surface that
 /// the camera sees would reach it by rare and strong photons otherwise.
 void LightPaths::branch_off_to_specular(const Hit& hit) {
-  const DirectionSample way = towards(emission_.targets(), hit.point, numbers(kDirection));
-  if (!(scattering_.evaluate(way.direction, light_.data()) > 0.0)) return;
-  const bool through = (glm::dot(way.direction, hit.normal) > 0.0) != hit.entering;
-  Bundle& next = branch_off(bundle().bands, light_.data(), 1.0 / way.pdf);
-  set_off(bundle(), way.direction, through, RayKind::scattered, next);
-  next.pdf = way.pdf;
+  const DirectionSample chosen = towards(emission_.targets(), hit.point, numbers(kDirection));
+  if (!(scattering_.evaluate(chosen.direction, light_.data()) > 0.0)) return;
+  const bool through = (glm::dot(chosen.direction, hit.normal) > 0.0) != hit.entering;
+  Bundle& next = branch_off(bundle().bands, light_.data(), 1.0 / chosen.pdf);
+  set_off(bundle(), chosen.direction, through, RayKind::scattered, next);
+  next.pdf = chosen.pdf;
   next.nonspecular_bounces = 1;
 }
 
@@ -141,29 +142,28 @@ void LightPaths::splat(const Hit& hit) {
     return;
   const dvec3& direction = seen->direction;
   const double distance = seen->distance;
-  if (!(scattering_.evaluate(direction, light_.data()) > 0.0)) return;
+  const BandSpan<float> light{light_.data(), bundle().bands};
+  if (!(scattering_.evaluate(direction, light.data) > 0.0)) return;
   const bool through = (glm::dot(direction, hit.normal) > 0.0) != hit.entering;
   const RayState to_eye{{hit.point, direction},
                         through ? hit.other_side : hit.same_side,
                         through ? hit.nesting_after : hit.nesting_before};
-  const auto [first, last] = bundle().bands;
   const float* arriving = nullptr;
   if (plan_.dims_on_the_way()) {
-    arriving = to_camera_.along(to_eye, distance, first, last, wavelengths_, *counts_);
+    arriving = to_camera_.along(to_eye, distance, light.bands, wavelengths_, *counts_);
     if (!arriving) return;
   } else {
     counts_->add_any_hit(RayKind::shadow, to_eye, distance);
     if (world_.occluded(to_eye, distance)) return;
   }
-  const float* carried = throughput().data;
-  for (int b = first; b < last; ++b)
-    light_[static_cast<std::size_t>(b)] *= carried[b] * (arriving ? arriving[b] : 1.0f);
+  const BandSpan<const float> carried = throughput();
+  for (int b = light.bands.first; b < light.bands.last; ++b)
+    light[b] *= carried[b] * (arriving ? arriving[b] : 1.0f);
   if (!arriving)
-    absorb(plan_.medium(through ? hit.medium_after : hit.medium_before), distance,
-           {light_.data(), bundle().bands});
+    absorb(plan_.medium(through ? hit.medium_after : hit.medium_before), distance, light);
   const double weight = flux_ * share_ * column.weight * row.weight / seen->inverse_importance;
   sums_.clear();
-  sums_.add(source_, light_.data(), ones_, static_cast<float>(weight), first, last);
+  sums_.add(source_, light, ones_, static_cast<float>(weight));
   ++counts_->splats;
   film_.add_splat(column.pixel, row.pixel, sums_.color(),
                   film_.bands() > 0 ? sums_.radiance() : std::span<const float>(),
@@ -175,11 +175,9 @@ void LightPaths::keep(const Hit& hit) {
   photon.position = hit.point;
   photon.direction = bundle().state.ray.direction;
   photon.normal = hit.entering ? hit.normal : -hit.normal;
-  photon.first = bundle().bands.first;
-  photon.last = bundle().bands.last;
   photon.source = source_;
   ++counts_->photons;
-  photons_->add(photon, throughput().data + photon.first, flux_ * photon_share_);
+  photons_->add(photon, throughput(), flux_ * photon_share_);
 }
 
 } // namespace abbe

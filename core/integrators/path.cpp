@@ -10,13 +10,13 @@ constexpr double kBranchShare = 1.0 / 32.0;
 
 } // namespace
 
-Path::Path(const Plan& plan, const World& world, const Lights& lamps,
+Path::Path(const Plan& plan, const World& world, const Lights& lights,
            const LightPasses* light_passes, double pixel_angle)
-    : RandomWalk(plan, world, pixel_angle, Transport::radiance), lamps_(lamps),
+    : RandomWalk(plan, world, pixel_angle, Transport::radiance), lights_(lights),
       photons_(light_passes ? &light_passes->map() : nullptr),
       emission_(light_passes ? &light_passes->emission() : nullptr),
       found_otherwise_(light_passes || plan.settings.shadows == ShadowRule::attenuated),
-      shadow_rays_(plan, world), single_scatter_(lamps, plan, world), light_(plan.stride) {}
+      shadow_rays_(plan, world), single_scatter_(lights, plan, world), light_(plan.stride) {}
 
 void Path::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
                  RayCounts& counts) {
@@ -54,11 +54,9 @@ void Path::look_through() {
 }
 
 void Path::gather() {
-  const auto [first, last] = bundle().bands;
   if (!bundle().hit.met()) {
     const bool suns = !comes_by_mirrors_and_glass() || !found_otherwise_;
-    lamps_.add_sky(bundle().state.ray.direction, bundle().pdf, suns, throughput().data, first, last,
-                   *sums_);
+    lights_.add_sky(bundle().state.ray.direction, bundle().pdf, suns, throughput(), *sums_);
     return;
   }
   const Hit& hit = bundle().hit;
@@ -67,10 +65,9 @@ void Path::gather() {
   double weight = 1.0;
   if (bundle().pdf > 0.0) {
     const dvec3 scattered_at = bundle().state.ray.at(-bundle().unseen_length);
-    weight = bundle().pdf / (bundle().pdf + lamps_.pdf(scattered_at, hit));
+    weight = bundle().pdf / (bundle().pdf + lights_.pdf(scattered_at, hit));
   }
-  sums_->add(material.emission_source, throughput().data, ones_, static_cast<float>(weight), first,
-             last);
+  sums_->add(material.emission_source, throughput(), ones_, static_cast<float>(weight));
 }
 
 /// True for light that goes from a lamp by mirrors and glass to a surface that scatters it, where
@@ -96,8 +93,8 @@ bool Path::comes_by_mirrors_and_glass() const {
 void Path::go_on() {
   const Hit& hit = bundle().hit;
   prepare_scattering();
-  if (scattering_.spreads()) {
-    if (!lamps_.empty()) aim_at_a_lamp(hit);
+  if (scattering_.has_nonspecular()) {
+    if (!lights_.empty()) sample_light(hit);
     if (photons_ && !splatted()) look_up_photons(hit);
   }
   const Scattering::Choice on = branch();
@@ -110,13 +107,13 @@ void Path::go_on() {
     return refract(on.chance);
   case ScatterKind::pass:
     return pass(on.chance);
-  case ScatterKind::spread:
+  case ScatterKind::nonspecular:
     break;
   }
   const auto next = scattering_.sample(
       numbers(kDirection), scattering_.has_lobes() ? numbers(kLobe) : dvec2(0.0), light_.data());
   if (!next) return;
-  scatter(next->direction, light_.data(), next->pdf, scattering_.spread_chance() / on.chance);
+  scatter(next->direction, light_.data(), next->pdf, scattering_.nonspecular_chance() / on.chance);
 }
 
 /// How the path goes on. Where the camera sees a surface itself, or by way of mirrors and glass,
@@ -135,48 +132,49 @@ Scattering::Choice Path::branch() {
   return on;
 }
 
-void Path::aim_at_a_lamp(const Hit& hit) {
-  const double choice = lamps_.single() ? 0.0 : numbers(kLamp).x;
-  const auto lamp = lamps_.sample(hit.point, choice, numbers(kLampPoint));
-  if (!lamp) return;
-  const auto [first, last] = bundle().bands;
-  const double pdf = scattering_.evaluate(lamp->direction, light_.data());
+void Path::sample_light(const Hit& hit) {
+  const double choice = lights_.single() ? 0.0 : numbers(kLightChoice).x;
+  const auto sample = lights_.sample(hit.point, choice, numbers(kLightPoint));
+  if (!sample) return;
+  const BandSpan<float> light{light_.data(), bundle().bands};
+  const double pdf = scattering_.evaluate(sample->direction, light.data);
   if (!(pdf > 0.0)) return;
-  const bool outwards = glm::dot(lamp->direction, hit.normal) > 0.0;
+  const bool outwards = glm::dot(sample->direction, hit.normal) > 0.0;
   const bool through = outwards != hit.entering;
-  const RayState towards_lamp{{hit.point, lamp->direction},
-                              through ? hit.other_side : hit.same_side,
-                              through ? hit.nesting_after : hit.nesting_before};
-  const float* arriving =
-      shadow_rays_.transmittance(towards_lamp, lamp->distance, first, last, wavelengths_, *counts_);
+  const RayState towards_light{{hit.point, sample->direction},
+                               through ? hit.other_side : hit.same_side,
+                               through ? hit.nesting_after : hit.nesting_before};
+  const float* arriving = shadow_rays_.transmittance(towards_light, sample->distance, light.bands,
+                                                     wavelengths_, *counts_);
   if (!arriving) return;
-  double weight = lamp->weight;
+  double weight = sample->weight;
   if (shadow_rays_.through_glass()) {
     // Paths that meet the lamp behind glass leave it to this ray, but not the environment.
-    if (lamp->environment) return;
-  } else if (lamp->pdf > 0.0) {
-    weight *= lamp->pdf / (lamp->pdf + pdf);
+    if (sample->environment) return;
+  } else if (sample->pdf > 0.0) {
+    weight *= sample->pdf / (sample->pdf + pdf);
   }
-  const float* carried = throughput().data;
-  for (int b = first; b < last; ++b)
-    light_[static_cast<std::size_t>(b)] *= carried[b] * arriving[b];
-  lamps_.tint(*lamp, first, last, light_.data());
-  sums_->add(lamp->source, light_.data(), ones_, static_cast<float>(weight), first, last);
+  const BandSpan<const float> carried = throughput();
+  for (int b = light.bands.first; b < light.bands.last; ++b)
+    light[b] *= carried[b] * arriving[b];
+  lights_.tint(*sample, light);
+  sums_->add(sample->source, light, ones_, static_cast<float>(weight));
 }
 
 void Path::look_up_photons(const Hit& hit) {
   photons_->for_each_near(
-      hit, scattering_.spreads_through(), [&](const Photon& photon, const float* flux) {
-        const int first = std::max(bundle().bands.first, photon.first);
-        const int last = std::min(bundle().bands.last, photon.last);
-        if (first >= last) return;
+      hit, scattering_.transmits_nonspecular(), [&](const Photon& photon, const float* flux) {
+        const BandSpan<const float> carried = throughput();
+        const BandSpan<float> light{light_.data(),
+                                    {std::max(carried.bands.first, photon.bands.first),
+                                     std::min(carried.bands.last, photon.bands.last)}};
+        if (light.bands.size() <= 0) return;
         const double cosine = std::abs(glm::dot(photon.direction, hit.normal));
-        if (!(scattering_.evaluate(-photon.direction, light_.data()) > 0.0)) return;
-        const float* carried = throughput().data;
-        for (int b = first; b < last; ++b)
-          light_[static_cast<std::size_t>(b)] *= carried[b] * flux[b - photon.first];
-        sums_->add(photon.source, light_.data(), ones_,
-                   static_cast<float>(photons_->density_factor() / cosine), first, last);
+        if (!(scattering_.evaluate(-photon.direction, light.data) > 0.0)) return;
+        for (int b = light.bands.first; b < light.bands.last; ++b)
+          light[b] *= carried[b] * flux[b - photon.bands.first];
+        sums_->add(photon.source, light, ones_,
+                   static_cast<float>(photons_->density_factor() / cosine));
       });
 }
 

@@ -22,7 +22,7 @@ namespace abbe {
 class Path final : public CameraIntegrator, private RandomWalk {
 public:
   /// Keeps references to all. `light_passes` is null where there are none.
-  Path(const Plan& plan, const World& world, const Lights& lamps, const LightPasses* light_passes,
+  Path(const Plan& plan, const World& world, const Lights& lights, const LightPasses* light_passes,
        double pixel_angle);
 
   void trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
@@ -38,7 +38,7 @@ private:
   /// The same where the path has met as many surfaces as it may.
   void look_through();
   [[nodiscard]] Scattering::Choice branch();
-  void aim_at_a_lamp(const Hit& hit);
+  void sample_light(const Hit& hit);
   void look_up_photons(const Hit& hit);
   [[nodiscard]] bool found_otherwise(const Hit& emitting) const;
   [[nodiscard]] bool splatted() const;
@@ -46,7 +46,7 @@ private:
   /// refracts.
   [[nodiscard]] bool comes_by_mirrors_and_glass() const;
 
-  const Lights& lamps_;
+  const Lights& lights_;
   const PhotonMap* photons_;
   const Emission* emission_;
   bool found_otherwise_; ///< whether light that comes from lamps by mirrors and glass is

@@ -7,12 +7,13 @@
 
 namespace abbe {
 
-void PhotonBatch::add(Photon photon, const float* band_flux, double scale) {
+void PhotonBatch::add(Photon photon, BandSpan<const float> band_flux, double scale) {
+  photon.bands = band_flux.bands;
   photon.flux = flux.size();
   photons.push_back(photon);
   const auto s = static_cast<float>(scale);
-  for (int i = 0; i < photon.last - photon.first; ++i)
-    flux.push_back(band_flux[i] * s);
+  for (int b = photon.bands.first; b < photon.bands.last; ++b)
+    flux.push_back(band_flux[b] * s);
 }
 
 namespace {

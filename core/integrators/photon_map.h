@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bands/band_span.h"
 #include "geometry/rays/ray_state.h"
 
 #include <array>
@@ -13,11 +14,11 @@ namespace abbe {
 /// Light that has come from a lamp by way of mirrors and glass to a surface that spreads it.
 struct Photon {
   dvec3 position{0.0};
-  dvec3 direction{0.0};    ///< of travel, unit
-  dvec3 normal{0.0};       ///< unit, on the side that the light comes from
-  int first = 0, last = 0; ///< bands
-  int source = 0;          ///< index into Plan::sources, whose spectrum the flux multiplies
-  std::size_t flux = 0;    ///< where its flux per band begins
+  dvec3 direction{0.0}; ///< of travel, unit
+  dvec3 normal{0.0};    ///< unit, on the side that the light comes from
+  BandRange bands;
+  int source = 0;       ///< index into Plan::sources, whose spectrum the flux multiplies
+  std::size_t flux = 0; ///< where its flux per band begins
 };
 
 /// Photons with their fluxes, in the order in which they were found.
@@ -25,8 +26,8 @@ struct PhotonBatch {
   std::vector<Photon> photons;
   std::vector<float> flux;
 
-  /// `band_flux` holds one value for each of the photon's bands.
-  void add(Photon photon, const float* band_flux, double scale);
+  /// Adds a photon with the flux `scale` times `band_flux`, whose bands become the photon's.
+  void add(Photon photon, BandSpan<const float> band_flux, double scale);
 };
 
 /// Photons of one pass, found by place. What is looked up does not depend on the order in which
@@ -46,7 +47,7 @@ public:
   [[nodiscard]] double density_factor() const { return density_factor_; }
 
   /// Calls `visit(photon, flux)` for the photons on the same side of the same surface within the
-  /// radius, or on both its sides; flux[0] belongs to band photon.first.
+  /// radius, or on both its sides; flux[0] belongs to band photon.bands.first.
   template <class Visit>
   void for_each_near(const Hit& hit, bool both_sides, Visit&& visit) const;
 
@@ -74,9 +75,9 @@ void PhotonMap::for_each_near(const Hit& hit, bool both_sides, Visit&& visit) co
   for (std::size_t c = 0; c < count; ++c)
     for (std::uint32_t i = begins_[cells[c]]; i < begins_[cells[c] + 1]; ++i) {
       const Photon& photon = photons_[i];
-      const dvec3 way = photon.position - hit.point;
-      if (glm::dot(way, way) >= radius_ * radius_) continue;
-      if (std::abs(glm::dot(way, normal)) > kFlatness * radius_) continue;
+      const dvec3 offset = photon.position - hit.point;
+      if (glm::dot(offset, offset) >= radius_ * radius_) continue;
+      if (std::abs(glm::dot(offset, normal)) > kFlatness * radius_) continue;
       const double likeness = glm::dot(photon.normal, normal);
       if ((both_sides ? std::abs(likeness) : likeness) < kLikeNormals) continue;
       visit(photon, flux_.data() + photon.flux);

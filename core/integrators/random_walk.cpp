@@ -1,8 +1,8 @@
 #include "core/integrators/random_walk.h"
 
 #include "core/bands/passing_runs.h"
-#include "core/integrators/unseen_boundary.h"
-#include "core/scattering/surface_finish.h"
+#include "core/integrators/straight_on.h"
+#include "core/scattering/hit_material.h"
 
 namespace abbe {
 namespace {
@@ -31,16 +31,14 @@ dvec2 RandomWalk::numbers(SamplePurpose purpose) const {
 
 const MaterialPlan& RandomWalk::find_material() {
   material_ = &plan_.materials[bundle().hit.material.index()];
-  if (material_->mixture) material_ = &part_of(plan_, *material_, numbers(kSurfaceChoice).y);
+  if (material_->mixture) material_ = &part_of(plan_, *material_, numbers(kMixture).y);
   return *material_;
 }
 
 void RandomWalk::prepare_scattering() {
   const Hit& hit = bundle().hit;
-  const BandSpan<const float> row = throughput();
   scattering_.prepare(*material_, diffuse_at(plan_, world_, *material_, hit, textured_), hit,
-                      bundle().state.ray.direction, row.bands.first, row.bands.last, row.data,
-                      wavelengths_);
+                      bundle().state.ray.direction, throughput(), wavelengths_);
 }
 
 /// Russian roulette on what the bundle would bring from a medium.
@@ -69,7 +67,7 @@ void RandomWalk::pass(double chance) {
   scale(scattering_.transmitted(), 1.0 / chance);
   if (!survives(bundle().hit.medium_after)) return;
   ++bundle().panes;
-  pass_unseen_boundary(bundle());
+  go_straight_on(bundle());
   wait();
 }
 

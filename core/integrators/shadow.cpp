@@ -10,36 +10,37 @@ namespace abbe {
 ShadowRays::ShadowRays(const Plan& plan, const World& world)
     : plan_(plan), world_(world), ones_(plan.stride, 1.0f), transmittance_(plan.stride) {}
 
-const float* ShadowRays::transmittance(const RayState& towards_lamp, double distance, int first,
-                                       int last, PathWavelengths& wavelengths, RayCounts& counts) {
+const float* ShadowRays::transmittance(const RayState& towards_light, double distance,
+                                       BandRange bands, PathWavelengths& wavelengths,
+                                       RayCounts& counts) {
   through_glass_ = false;
   if (plan_.settings.shadows == ShadowRule::none) return ones_.data();
-  return along(towards_lamp, distance, first, last, wavelengths, counts);
+  return along(towards_light, distance, bands, wavelengths, counts);
 }
 
-const float* ShadowRays::along(const RayState& way, double distance, int first, int last,
+const float* ShadowRays::along(const RayState& state, double distance, BandRange bands,
                                PathWavelengths& wavelengths, RayCounts& counts) {
   through_glass_ = false;
   if (!through_refracting() && !plan_.dims_on_the_way()) {
-    counts.add_any_hit(RayKind::shadow, way, distance);
-    return world_.occluded(way, distance) ? nullptr : ones_.data();
+    counts.add_any_hit(RayKind::shadow, state, distance);
+    return world_.occluded(state, distance) ? nullptr : ones_.data();
   }
   std::fill(transmittance_.begin(), transmittance_.end(), 1.0f);
-  return attenuate(way, distance, first, last, wavelengths, counts) ? transmittance_.data()
-                                                                    : nullptr;
+  return attenuate(state, distance, bands, wavelengths, counts) ? transmittance_.data() : nullptr;
 }
 
-bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
+bool ShadowRays::attenuate(RayState state, double distance, BandRange bands,
                            PathWavelengths& wavelengths, RayCounts& counts) {
+  const BandSpan<float> left{transmittance_.data(), bands};
   Hit hit;
   Passage passage;
   for (;;) {
     counts.add(RayKind::shadow, state);
     // Of what lies at the end of the way nothing counts: rounding must not decide whether it does.
     world_.find_closest(state, distance, passage, hit);
-    const double way = hit.met() ? hit.t : distance;
+    const double length = hit.met() ? hit.t : distance;
     const MediumId medium = hit.met() ? hit.medium_before : world_.medium_of(state.nesting);
-    absorb(plan_.medium(medium), way, {transmittance_.data(), {first, last}});
+    absorb(plan_.medium(medium), length, left);
     if (!hit.met()) return true;
     const MaterialPlan& material = plan_.materials[hit.material.index()];
     if (!plan_.unseen(hit)) {
@@ -49,7 +50,7 @@ bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
                             !(facts.rough && plan_.settings.integrator == Integrator::path);
       if (!refracts && !facts.passes) return false;
       const double cos_i = std::min(1.0, std::abs(glm::dot(hit.normal, state.ray.direction)));
-      pass(material, hit, cos_i, first, last, wavelengths, transmittance_);
+      pass(material, hit, cos_i, left, wavelengths);
       if (refracts) through_glass_ = true;
     }
     if (!passage.go_through(hit, state)) return false;
@@ -58,25 +59,22 @@ bool ShadowRays::attenuate(RayState state, double distance, int first, int last,
 }
 
 /// A mixture lets through the mean of what its parts do.
-void ShadowRays::pass(const MaterialPlan& material, const Hit& hit, double cos_i, int first,
-                      int last, PathWavelengths& wavelengths, std::vector<float>& light) {
+void ShadowRays::pass(const MaterialPlan& material, const Hit& hit, double cos_i,
+                      BandSpan<float> light, PathWavelengths& wavelengths) {
   if (!material.mixture) {
-    Incidence in = surface_incidence(material.bsdf, hit, {first, last}, wavelengths);
+    Incidence in = surface_incidence(material.bsdf, hit, light.bands, wavelengths);
     in.wo = {0.0, 0.0, cos_i};
-    pass_straight(material.bsdf, in, light.data());
+    pass_straight(material.bsdf, in, light.data);
     return;
   }
   const MixturePlan& mix = *material.mixture;
-  std::vector<float> other = light;
-  pass(plan_.materials[static_cast<std::size_t>(mix.first)], hit, cos_i, first, last, wavelengths,
-       light);
-  pass(plan_.materials[static_cast<std::size_t>(mix.second)], hit, cos_i, first, last, wavelengths,
-       other);
+  std::vector<float> row(light.data, light.data + plan_.stride);
+  const BandSpan<float> other{row.data(), light.bands};
+  pass(plan_.materials[static_cast<std::size_t>(mix.first)], hit, cos_i, light, wavelengths);
+  pass(plan_.materials[static_cast<std::size_t>(mix.second)], hit, cos_i, other, wavelengths);
   const auto share = static_cast<float>(mix.share);
-  for (int b = first; b < last; ++b) {
-    const auto i = static_cast<std::size_t>(b);
-    light[i] = share * light[i] + (1.0f - share) * other[i];
-  }
+  for (int b = light.bands.first; b < light.bands.last; ++b)
+    light[b] = share * light[b] + (1.0f - share) * other[b];
 }
 
 } // namespace abbe

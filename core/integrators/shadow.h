@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bands/band_span.h"
 #include "core/bundles/path_wavelengths.h"
 #include "core/bundles/statistics.h"
 #include "geometry/world/world.h"
@@ -15,11 +16,11 @@ public:
 
   /// What of a lamp's light arrives along a straight shadow ray, per band; null where none does.
   /// Full transmittance is a band array of ones. The array is valid until the next call.
-  [[nodiscard]] const float* transmittance(const RayState& towards_lamp, double distance, int first,
-                                           int last, PathWavelengths& wavelengths,
+  [[nodiscard]] const float* transmittance(const RayState& towards_light, double distance,
+                                           BandRange bands, PathWavelengths& wavelengths,
                                            RayCounts& counts);
   /// The same along any straight way, whatever the scene says of shadows.
-  [[nodiscard]] const float* along(const RayState& way, double distance, int first, int last,
+  [[nodiscard]] const float* along(const RayState& state, double distance, BandRange bands,
                                    PathWavelengths& wavelengths, RayCounts& counts);
   /// True when the last one that arrived went through glass.
   [[nodiscard]] bool through_glass() const { return through_glass_; }
@@ -30,10 +31,10 @@ private:
     return plan_.settings.shadows == ShadowRule::attenuated;
   }
   /// False where nothing arrives.
-  [[nodiscard]] bool attenuate(RayState state, double distance, int first, int last,
+  [[nodiscard]] bool attenuate(RayState state, double distance, BandRange bands,
                                PathWavelengths& wavelengths, RayCounts& counts);
-  void pass(const MaterialPlan& material, const Hit& hit, double cos_i, int first, int last,
-            PathWavelengths& wavelengths, std::vector<float>& light);
+  void pass(const MaterialPlan& material, const Hit& hit, double cos_i, BandSpan<float> light,
+            PathWavelengths& wavelengths);
 
   const Plan& plan_;
   const World& world_;

@@ -1,7 +1,7 @@
 #include "core/integrators/single_scatter.h"
 
 #include "core/integrators/absorption.h"
-#include "core/integrators/unseen_boundary.h"
+#include "core/integrators/straight_on.h"
 #include "core/lights/light_kinds.h"
 
 #include <glm/geometric.hpp>
@@ -16,8 +16,8 @@ SingleScatter::SingleScatter(const Scene& scene, const Plan& plan, const World& 
     : scene_(&scene), plan_(plan), world_(world), shadow_rays_(plan, world),
       ones_(1.0f, plan.grid.count()), seen_(plan.stride), lit_(plan.stride) {}
 
-SingleScatter::SingleScatter(const Lights& lamps, const Plan& plan, const World& world)
-    : lamps_(&lamps), plan_(plan), world_(world), shadow_rays_(plan, world),
+SingleScatter::SingleScatter(const Lights& lights, const Plan& plan, const World& world)
+    : lights_(&lights), plan_(plan), world_(world), shadow_rays_(plan, world),
       ones_(1.0f, plan.grid.count()), seen_(plan.stride), lit_(plan.stride) {}
 
 void SingleScatter::begin_path(const Sampler& sampler, PathWavelengths& wavelengths,
@@ -27,7 +27,7 @@ void SingleScatter::begin_path(const Sampler& sampler, PathWavelengths& waveleng
   counts_ = &counts;
   if (!plan_.has_drops) return;
   place_ = sampler.pair(kDropPlace);
-  lamp_point_ = sampler.pair(kDropLamp);
+  light_point_ = sampler.pair(kDropLight);
 }
 
 bool SingleScatter::arrive(Bundle& bundle, BandSpan<float> throughput) {
@@ -38,23 +38,23 @@ bool SingleScatter::arrive(Bundle& bundle, BandSpan<float> throughput) {
   if (medium.drops) add(bundle, length, medium, throughput);
   absorb(medium, length, throughput);
   if (!hit.met() || !plan_.unseen(hit)) return true;
-  pass_unseen_boundary(bundle);
+  go_straight_on(bundle);
   return false;
 }
 
 void SingleScatter::find_lights(const dvec3& place) {
-  lights_.clear();
-  if (lamps_) {
-    if (const auto lamp = lamps_->sample(place, place_.y, lamp_point_))
-      lights_.push_back({lamp->direction, lamp->distance, lamp->weight, lamp->source,
-                         std::isinf(lamp->distance) && lamp->pdf == 0.0, lamp});
+  incoming_.clear();
+  if (lights_) {
+    if (const auto light = lights_->sample(place, place_.y, light_point_))
+      incoming_.push_back({light->direction, light->distance, light->weight, light->source,
+                           std::isinf(light->distance) && light->pdf == 0.0, light});
     return;
   }
   for (std::size_t i = 0; i < scene_->lights.size(); ++i) {
     const Illumination light = illumination(scene_->lights[i], place);
     if (light.strength > 0.0)
-      lights_.push_back({light.direction, light.distance, std::numbers::pi * light.strength,
-                         plan_.light_source(i), std::isinf(light.distance), std::nullopt});
+      incoming_.push_back({light.direction, light.distance, std::numbers::pi * light.strength,
+                           plan_.light_source(i), std::isinf(light.distance), std::nullopt});
   }
 }
 
@@ -66,29 +66,27 @@ void SingleScatter::add(const Bundle& bundle, double length, const MediumPlan& m
   const double distance = -std::log1p(-place_.x * scattered) / extinction;
   const dvec3 point = bundle.state.ray.at(distance);
   find_lights(point);
-  if (lights_.empty()) return;
+  if (incoming_.empty()) return;
   // The ray may have passed boundaries between equal media, so its own nesting need not hold here.
   const Nesting nesting = world_.nesting_at(point);
-  const auto [first, last] = throughput.bands;
-  std::copy(throughput.data + first, throughput.data + last, seen_.begin() + first);
-  absorb(medium, distance, {seen_.data(), throughput.bands});
+  const BandRange bands = throughput.bands;
+  const BandSpan<float> seen{seen_.data(), bands}, lit{lit_.data(), bands};
+  std::copy(throughput.data + bands.first, throughput.data + bands.last, seen.data + bands.first);
+  absorb(medium, distance, seen);
   // s exp(-s t) over the pdf of the place; `absorb` has applied exp(-s t) already.
   const double weight = scattered * std::exp(extinction * distance);
 
-  for (const Light& light : lights_) {
-    const RayState towards_lamp{{point, light.direction}, {}, nesting};
-    const float* arriving = shadow_rays_.transmittance(towards_lamp, light.distance, first, last,
-                                                       *wavelengths_, *counts_);
+  for (const IncomingLight& light : incoming_) {
+    const RayState towards_light{{point, light.direction}, {}, nesting};
+    const float* arriving =
+        shadow_rays_.transmittance(towards_light, light.distance, bands, *wavelengths_, *counts_);
     if (!arriving) continue;
     const auto& phase = light.disc ? drops.under_sun : drops.under_lamp;
     const auto part = phase->at(glm::dot(light.direction, bundle.state.ray.direction));
-    for (int b = first; b < last; ++b) {
-      const auto k = static_cast<std::size_t>(b);
-      lit_[k] = seen_[k] * arriving[b] * part[b];
-    }
-    if (light.sample) lamps_->tint(*light.sample, first, last, lit_.data());
-    sums_->add(light.source, lit_.data(), ones_, static_cast<float>(weight * light.weight), first,
-               last);
+    for (int b = bands.first; b < bands.last; ++b)
+      lit[b] = seen[b] * arriving[b] * part[b];
+    if (light.sample) lights_->tint(*light.sample, lit);
+    sums_->add(light.source, lit, ones_, static_cast<float>(weight * light.weight));
   }
 }
 

@@ -24,7 +24,7 @@ public:
   /// Each place gets the light of all the scene's lights. Keeps references to all.
   SingleScatter(const Scene& scene, const Plan& plan, const World& world);
   /// Each place gets the light of one lamp, drawn. Keeps references to all.
-  SingleScatter(const Lights& lamps, const Plan& plan, const World& world);
+  SingleScatter(const Lights& lights, const Plan& plan, const World& world);
 
   /// Starts a path, whose drops send their light to `sums`. Keeps references to all but the
   /// sampler.
@@ -39,7 +39,7 @@ public:
 
 private:
   /// What a lamp sends to a place: `weight` times its spectrum is irradiance.
-  struct Light {
+  struct IncomingLight {
     dvec3 direction;
     double distance, weight;
     int source;
@@ -51,7 +51,7 @@ private:
   void find_lights(const dvec3& place);
 
   const Scene* scene_ = nullptr;
-  const Lights* lamps_ = nullptr;
+  const Lights* lights_ = nullptr;
   const Plan& plan_;
   const World& world_;
   ShadowRays shadow_rays_;
@@ -59,10 +59,10 @@ private:
   PathWavelengths* wavelengths_ = nullptr;
   RadianceSums* sums_ = nullptr;
   RayCounts* counts_ = nullptr;
-  dvec2 place_{0.5}, lamp_point_{0.5};
-  std::vector<Light> lights_; ///< those that shine on the place drawn
-  std::vector<float> seen_;   ///< the throughput there
-  std::vector<float> lit_;    ///< the same times what a lamp sends
+  dvec2 place_{0.5}, light_point_{0.5};
+  std::vector<IncomingLight> incoming_; ///< those that shine on the place drawn
+  std::vector<float> seen_;             ///< the throughput there
+  std::vector<float> lit_;              ///< the same times what a lamp sends
 };
 
 } // namespace abbe

@@ -2,9 +2,9 @@
 
 #include "core/bands/band_math.h"
 #include "core/bands/passing_runs.h"
-#include "core/integrators/unseen_boundary.h"
+#include "core/integrators/straight_on.h"
 #include "core/lights/light_kinds.h"
-#include "core/scattering/surface_finish.h"
+#include "core/scattering/hit_material.h"
 #include "core/scattering/surface_incidence.h"
 
 #include <algorithm>
@@ -21,9 +21,9 @@ constexpr double kSurePart = 1.0 / 16.0;
 
 } // namespace
 
-Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, const Lights& lamps,
+Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, const Lights& lights,
                  double pixel_angle)
-    : BundleWalk(plan, world, pixel_angle, Transport::radiance), scene_(scene), lamps_(lamps),
+    : BundleWalk(plan, world, pixel_angle, Transport::radiance), scene_(scene), lights_(lights),
       shadow_rays_(plan, world), single_scatter_(scene, plan, world), reflected_(plan.stride),
       transmitted_(plan.stride), textured_(0.0f, plan.grid.count()), lit_(plan.stride),
       coated_(plan.stride) {}
@@ -61,68 +61,68 @@ void Whitted::shade_ray(RadianceSums& sums, RayCounts& counts) {
 }
 
 void Whitted::add_background(const Bundle& bundle, RadianceSums& sums) {
-  lamps_.add_sky(bundle.state.ray.direction, 0.0, true, throughput().data, bundle.bands.first,
-                 bundle.bands.last, sums);
+  lights_.add_sky(bundle.state.ray.direction, 0.0, true, throughput(), sums);
 }
 
 void Whitted::shade(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
                     RayCounts& counts) {
   const auto add = [&](int source, const BandTable& factor) {
-    sums.add(source, throughput().data, factor, 1.0f, bundle.bands.first, bundle.bands.last);
+    sums.add(source, throughput(), factor, 1.0f);
   };
   const Hit& hit = bundle.hit;
   if (material.emits(hit)) add(material.emission_source, ones_);
   if (!material.ambient.zero()) add(Plan::kAmbient, material.ambient);
-  if (material.lit()) add_lamps(bundle, material, sums, counts);
+  if (material.lit()) add_lights(bundle, material, sums, counts);
 }
 
 /// What arrives of a lamp's light, `lit_`, sent back by a coated ground, with lambert's cosine. The
 /// thesis's lamps give pi times the light that a diffuse surface of theirs would need.
-const float* Whitted::diffuse_under_coat(const Bundle& bundle, const MaterialPlan& material,
-                                         const BandTable& diffuse, double cos_o, double cos_i) {
+BandSpan<const float> Whitted::diffuse_under_coat(const Bundle& bundle,
+                                                  const MaterialPlan& material,
+                                                  const BandTable& diffuse, double cos_o,
+                                                  double cos_i) {
   const auto at = [](double mu) { return dvec3{std::sqrt(std::max(0.0, 1.0 - mu * mu)), 0.0, mu}; };
   Incidence in = surface_incidence(material.bsdf, bundle.hit, bundle.bands, wavelengths_);
   in.wo = at(cos_o);
   in.ground = diffuse.data();
-  (void)evaluate(material.bsdf, in, at(cos_i), coated_.data());
+  const BandSpan<float> coated{coated_.data(), bundle.bands};
+  (void)evaluate(material.bsdf, in, at(cos_i), coated.data);
   for (int b = bundle.bands.first; b < bundle.bands.last; ++b)
-    coated_[static_cast<std::size_t>(b)] *= lit_[static_cast<std::size_t>(b)];
-  return coated_.data();
+    coated[b] *= lit_[static_cast<std::size_t>(b)];
+  return coated;
 }
 
-void Whitted::add_lamps(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
-                        RayCounts& counts) {
+void Whitted::add_lights(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
+                         RayCounts& counts) {
   const Hit& hit = bundle.hit;
   const BandTable& diffuse = diffuse_at(plan_, world_, material, hit, textured_);
   const dvec3 to_eye = -bundle.state.ray.direction;
   const dvec3 normal = hit.entering ? hit.normal : -hit.normal;
-  const auto [first, last] = bundle.bands;
-  const float* carried = throughput().data;
+  const BandSpan<const float> carried = throughput();
+  const BandSpan<float> lit{lit_.data(), bundle.bands};
   const bool coated = facts_of(material.bsdf).coats;
   for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
     const Illumination light = illumination(scene_.lights[i], hit.point);
     const double lambert = glm::dot(light.direction, normal);
     if (!(lambert > 0.0) || light.strength == 0.0) continue;
-    const RayState towards_lamp{{hit.point, light.direction}, hit.same_side, hit.nesting_before};
-    const float* arriving =
-        shadow_rays_.transmittance(towards_lamp, light.distance, first, last, wavelengths_, counts);
+    const RayState towards_light{{hit.point, light.direction}, hit.same_side, hit.nesting_before};
+    const float* arriving = shadow_rays_.transmittance(towards_light, light.distance, bundle.bands,
+                                                       wavelengths_, counts);
     if (!arriving) continue;
-    for (int b = first; b < last; ++b)
-      lit_[static_cast<std::size_t>(b)] = carried[b] * arriving[b];
+    for (int b = lit.bands.first; b < lit.bands.last; ++b)
+      lit[b] = carried[b] * arriving[b];
     const int source = plan_.light_source(i);
     if (coated && !diffuse.zero())
       sums.add(source,
                diffuse_under_coat(bundle, material, diffuse,
                                   std::min(1.0, glm::dot(to_eye, normal)), std::min(1.0, lambert)),
-               ones_, static_cast<float>(light.strength * std::numbers::pi), first, last);
+               ones_, static_cast<float>(light.strength * std::numbers::pi));
     else if (!diffuse.zero())
-      sums.add(source, lit_.data(), diffuse, static_cast<float>(light.strength * lambert), first,
-               last);
+      sums.add(source, lit, diffuse, static_cast<float>(light.strength * lambert));
     if (material.phong.present()) {
       const dvec3 half = glm::normalize(to_eye + light.direction);
       const double phong = material.phong.strength(glm::dot(half, normal));
-      sums.add(source, lit_.data(), material.phong.reflectance,
-               static_cast<float>(light.strength * phong), first, last);
+      sums.add(source, lit, material.phong.reflectance, static_cast<float>(light.strength * phong));
     }
   }
 }
@@ -165,7 +165,7 @@ void Whitted::pass(const float* factors) {
   const double brought =
       importance(largest_of(passing), passing.bands.first, bundle().hit.medium_after);
   if (!(brought > plan_.settings.min_throughput)) return;
-  pass_unseen_boundary(bundle());
+  go_straight_on(bundle());
   wait();
 }
 

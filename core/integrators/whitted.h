@@ -17,7 +17,7 @@ namespace abbe {
 class Whitted final : public CameraIntegrator, private BundleWalk {
 public:
   /// Keeps references to all.
-  Whitted(const Scene& scene, const Plan& plan, const World& world, const Lights& lamps,
+  Whitted(const Scene& scene, const Plan& plan, const World& world, const Lights& lights,
           double pixel_angle);
 
   void trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
@@ -30,11 +30,12 @@ private:
   void add_background(const Bundle& bundle, RadianceSums& sums);
   void shade(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
              RayCounts& counts);
-  [[nodiscard]] const float* diffuse_under_coat(const Bundle& bundle, const MaterialPlan& material,
-                                                const BandTable& diffuse, double cos_o,
-                                                double cos_i);
-  void add_lamps(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
-                 RayCounts& counts);
+  [[nodiscard]] BandSpan<const float> diffuse_under_coat(const Bundle& bundle,
+                                                         const MaterialPlan& material,
+                                                         const BandTable& diffuse, double cos_o,
+                                                         double cos_i);
+  void add_lights(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
+                  RayCounts& counts);
   void scatter(const Bundle& bundle, const MaterialPlan& material);
   void reflect(const float* factors);
   void refract(const float* factors);
@@ -42,7 +43,7 @@ private:
   [[nodiscard]] double chance(double importance) const;
 
   const Scene& scene_;
-  const Lights& lamps_; ///< of which only the sky is seen
+  const Lights& lights_; ///< of which only the sky is seen
   ShadowRays shadow_rays_;
   SingleScatter single_scatter_;
   std::vector<float> reflected_, transmitted_; ///< factors of the surface being shaded

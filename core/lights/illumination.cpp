@@ -8,12 +8,12 @@
 namespace abbe {
 
 Illumination illumination_from(const dvec3& position, Falloff falloff, const dvec3& point) {
-  const dvec3 way = position - point;
-  const double distance = glm::length(way);
+  const dvec3 to_light = position - point;
+  const double distance = glm::length(to_light);
   if (!(distance > 0.0)) return {};
   const double strength =
       falloff == Falloff::none ? 1.0 : std::numbers::inv_pi / (distance * distance);
-  return {way / distance, distance, strength};
+  return {to_light / distance, distance, strength};
 }
 
 Illumination illumination_along(const dvec3& direction) {

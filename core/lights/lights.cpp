@@ -138,23 +138,23 @@ double Lights::pdf(const dvec3& place, const Hit& hit) const {
                     light.surface);
 }
 
-void Lights::add_sky(const dvec3& direction, double pdf, bool suns, float* throughput, int first,
-                     int last, RadianceSums& sums) const {
-  sums.add(Plan::kBackground, throughput, ones_, 1.0f, first, last);
+void Lights::add_sky(const dvec3& direction, double pdf, bool suns, BandSpan<float> throughput,
+                     RadianceSums& sums) const {
+  sums.add(Plan::kBackground, throughput, ones_, 1.0f);
   const auto weight = [&](double light_pdf) { return pdf > 0.0 ? pdf / (pdf + light_pdf) : 1.0; };
   for (const int i : discs_) {
     const Choice& choice = choices_[static_cast<std::size_t>(i)];
     const auto& disc = std::get<LightDisc>(choice.extent);
     if (!suns || !disc.directions.holds(direction)) continue;
     const double part = disc.radiance * weight(choice.chance * disc.directions.pdf());
-    sums.add(choice.source, throughput, ones_, static_cast<float>(part), first, last);
+    sums.add(choice.source, throughput, ones_, static_cast<float>(part));
   }
   if (environment_ < 0) return;
   const Choice& environment = choices_[static_cast<std::size_t>(environment_)];
   const double part =
       pdf > 0.0 ? weight(environment.chance * plan_.environment->pdf(direction)) : 1.0;
-  plan_.environment->scale(direction, first, last, throughput);
-  sums.add(environment.source, throughput, ones_, static_cast<float>(part), first, last);
+  plan_.environment->scale(direction, throughput);
+  sums.add(environment.source, throughput, ones_, static_cast<float>(part));
 }
 
 } // namespace abbe

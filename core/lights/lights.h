@@ -47,16 +47,16 @@ public:
 
   /// Multiplies the light of a sample per band by what is not in its weight and its source: the
   /// colour of an environment.
-  void tint(const LightSample& sample, int first, int last, float* light) const {
-    if (sample.environment) plan_.environment->scale(sample.direction, first, last, light);
+  void tint(const LightSample& sample, BandSpan<float> light) const {
+    if (sample.environment) plan_.environment->scale(sample.direction, light);
   }
 
   /// Adds what a ray sees that leaves the scene along a unit direction: the background, the discs
   /// of suns (unless they are found otherwise), and the environment, each weighed against `sample`
   /// where the ray's direction was drawn with this pdf per steradian (0: it was not). The ray ends
   /// there: its throughput is changed.
-  void add_sky(const dvec3& direction, double pdf, bool suns, float* throughput, int first,
-               int last, RadianceSums& sums) const;
+  void add_sky(const dvec3& direction, double pdf, bool suns, BandSpan<float> throughput,
+               RadianceSums& sums) const;
 
 private:
   /// A light of the scene that is seen in one direction.

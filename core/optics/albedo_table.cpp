@@ -21,8 +21,8 @@ TablePlace CosineTable::place(double mu) {
 }
 
 double CosineTable::weighted_mean() const {
-  // 2 f(mu) mu dmu = 4 f t^3 dt with t = sqrt(mu): in each cell of degree 4, which three points of
-  // Gauss and Legendre integrate without error.
+  // 2 f(mu) mu dmu = 4 f t^3 dt with t = sqrt(mu). In each cell this is of degree 4 in t, which
+  // three points of Gauss and Legendre integrate without error.
   const double side = std::sqrt(0.6);
   double sum = values_.front() * std::pow(knot(0), 4);
   for (std::size_t i = 0; i + 1 < kKnots; ++i) {

@@ -7,20 +7,20 @@
 
 namespace abbe {
 
-/// A place in a table: between entry `index` and the next, at `fraction` of the way.
+/// A place in a table: at `fraction` of the step from entry `index` to the next.
 struct TablePlace {
   std::size_t index;
   double fraction;
 };
 
-/// The place of a ratio of indices.
+/// A ratio of indices, with its place in the table.
 struct EtaPlace {
   TablePlace place;
   double eta;
 };
 
-/// A function of a cosine mu, linear between knots that are even in sqrt(mu): what facets return
-/// changes fast at grazing angles.
+/// A function of a cosine mu, linear between knots at equal steps of sqrt(mu), since what facets
+/// reflect changes fast at grazing angles.
 class CosineTable {
 public:
   template <class Function>
@@ -34,12 +34,12 @@ public:
     return values_[place.index] +
            place.fraction * (values_[place.index + 1] - values_[place.index]);
   }
-  /// Its mean over directions weighted by their cosine: 2 times the integral of f(mu) mu.
+  /// The mean over directions, weighted by their cosine: 2 times the integral of f(mu) mu.
   [[nodiscard]] double mean() const { return mean_; }
 
 private:
   static constexpr std::size_t kKnots = 32;
-  /// From half a step to 1: what lies below the first knot has its value.
+  /// Knots lie from half a step to 1. Below the first knot the function has the value there.
   [[nodiscard]] static double knot(std::size_t i) {
     return (static_cast<double>(i) + 0.5) / (kKnots - 0.5);
   }
@@ -49,7 +49,8 @@ private:
   double mean_ = 0.0;
 };
 
-/// What GGX facets that reflect everything return after one reflection, by cosine.
+/// The part of the light that leaves perfectly reflecting GGX facets after one reflection, by the
+/// cosine of its direction.
 class GgxAlbedo {
 public:
   explicit GgxAlbedo(const Ggx& ggx);
@@ -60,25 +61,26 @@ private:
   CosineTable table_;
 };
 
-/// What clear GGX facets return and let through after one interaction, by cosine and by eta = n
-/// behind / n on the side of the light, which may be from 1 / eta_max to eta_max.
+/// The parts of the light that clear GGX facets reflect and transmit after one interaction, by the
+/// cosine of its direction and by eta = n behind / n on the side of the light, which may be from
+/// 1 / eta_max to eta_max.
 class DielectricAlbedo {
 public:
-  /// `eta_max` is above 1. Takes about a quarter of a second.
+  /// `eta_max` is above 1. The construction takes about a quarter of a second.
   DielectricAlbedo(const Ggx& ggx, double eta_max);
 
-  /// Where `eta` lies in the table; the reverse direction, 1 / eta, lies at `reversed`.
+  /// The place of `eta` in the table. The place of 1 / eta, for light from behind, is `reversed`.
   [[nodiscard]] EtaPlace place(double eta) const;
   [[nodiscard]] static EtaPlace reversed(const EtaPlace& eta);
 
   [[nodiscard]] double reflected(const EtaPlace& eta, const TablePlace& mu) const {
     return between(eta.place, reflected_, mu);
   }
-  /// Reflected and transmitted; the rest needs more than one interaction.
+  /// The sum of reflected and transmitted light. The rest needs more than one interaction.
   [[nodiscard]] double scattered(const EtaPlace& eta, const TablePlace& mu) const {
     return between(eta.place, scattered_, mu);
   }
-  /// Means over directions weighted by their cosine.
+  /// Means over directions, weighted by their cosine.
   [[nodiscard]] double mean_reflected(const EtaPlace& eta) const {
     return between_means(eta.place, reflected_);
   }
@@ -87,9 +89,9 @@ public:
   }
 
 private:
-  /// Knots on each side of eta = 1, which is one itself. They are even in the square root of
-  /// |eta - 1| / (eta + 1): near 1 the facets change from letting most light through to returning
-  /// it at grazing angles.
+  /// The number of knots on each side of eta = 1, which is a knot itself. Knots lie at equal steps
+  /// of the square root of |eta - 1| / (eta + 1), since near 1 facets change from transmitting most
+  /// light to reflecting it at grazing angles.
   static constexpr int kSide = 12;
   static double between(const TablePlace& eta, const std::vector<CosineTable>& tables,
                         const TablePlace& mu) {
@@ -100,7 +102,7 @@ private:
     const double a = tables[eta.index].mean(), b = tables[eta.index + 1].mean();
     return a + eta.fraction * (b - a);
   }
-  /// Eta at a knot, from 0 (1 / eta_max) to 2 kSide (eta_max).
+  /// The eta of a knot: 1 / eta_max at knot 0, eta_max at knot 2 kSide.
   [[nodiscard]] double eta_of(int knot) const;
 
   double reach_; ///< sqrt((eta_max - 1) / (eta_max + 1))

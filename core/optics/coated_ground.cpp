@@ -14,7 +14,7 @@ double ratio(const SurfaceOptics& optics, int b) {
   return optics.n_after[b] / optics.n_before[b];
 }
 
-/// The part of the light from a direction that the coat returns at once.
+/// The part of the light from a direction that the coat reflects before it reaches the ground.
 double returned(const CoatedGround& surface, const SurfaceOptics& optics, double mu, int b) {
   if (!surface.rough) return optics.fractions(b, mu).reflected;
   return surface.albedo->reflected(surface.albedo->place(ratio(optics, b)), CosineTable::place(mu));
@@ -25,7 +25,7 @@ double mean_let_in(const CoatedGround& surface, double eta) {
   return 1.0 - surface.albedo->mean_reflected(surface.albedo->place(eta));
 }
 
-/// Per band: what the ground gives, the facets' reflectance and the chance of the coat.
+/// The terms of one band: the ground's, the facets' and what the probability of the coat needs.
 struct Shares {
   double ground_per_rho, reflectance_within, facets, returned;
 };
@@ -51,11 +51,11 @@ double evaluate_coated_ground(const CoatedGround& surface, const SurfaceOptics& 
   for (int b = bands.first; b < bands.last; ++b)
     f_cos[b] = 0.0f;
   if (!(wi.z > 0.0)) return 0.0;
-  double facet_density = 0.0, seen = 0.0, cos_h = 1.0;
+  double facet_pdf = 0.0, seen = 0.0, cos_h = 1.0;
   if (surface.rough) {
     const dvec3 h = glm::normalize(wo + wi);
     cos_h = glm::dot(wo, h);
-    facet_density = surface.rough->visible_density(wo, h) / (4.0 * cos_h);
+    facet_pdf = surface.rough->visible_pdf(wo, h) / (4.0 * cos_h);
     seen = surface.rough->g2(wo, wi) / surface.rough->g1(wo);
   }
   const auto shares = [&](int b) {
@@ -64,13 +64,13 @@ double evaluate_coated_ground(const CoatedGround& surface, const SurfaceOptics& 
     const double ground = (1.0 - out) * (1.0 - returned(surface, optics, wi.z, b)) * wi.z /
                           (std::numbers::pi * eta * eta);
     const double facets =
-        surface.rough ? seen * facet_density * optics.fractions(b, cos_h).reflected : 0.0;
+        surface.rough ? seen * facet_pdf * optics.fractions(b, cos_h).reflected : 0.0;
     return Shares{ground, 1.0 - leaves, facets, out};
   };
   const bool alike = optics.alike(bands.first, bands.last);
   Shares s{};
   if (alike) s = shares(bands.first);
-  double density = 0.0;
+  double pdf = 0.0;
   int count = 0;
   for (int b = bands.first; b < bands.last; ++b) {
     if (!bands.has(b)) continue;
@@ -79,10 +79,10 @@ double evaluate_coated_ground(const CoatedGround& surface, const SurfaceOptics& 
     const double p = chance(s.returned, rho);
     f_cos[b] = static_cast<float>(s.facets * optics.reflection_scale(b) +
                                   rho * s.ground_per_rho / (1.0 - rho * s.reflectance_within));
-    density += p * facet_density + (1.0 - p) * wi.z / std::numbers::pi;
+    pdf += p * facet_pdf + (1.0 - p) * wi.z / std::numbers::pi;
     ++count;
   }
-  return count > 0 ? density / count : 0.0;
+  return count > 0 ? pdf / count : 0.0;
 }
 
 std::optional<dvec3> sample_coated_ground(const CoatedGround& surface, const SurfaceOptics& optics,

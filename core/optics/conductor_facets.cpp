@@ -16,8 +16,8 @@ double mean_reflectance(const SurfaceOptics& optics, int band) {
          (0.5 + root6 / 18.0) * optics.fractions(band, 0.6 + 0.1 * root6).reflected;
 }
 
-/// What of the light that once-reflecting facets keep comes out at last: two or more reflections,
-/// of which each leaves the share `mean_albedo` [Kulla17].
+/// The part that finally leaves of the light that is still among the facets after one reflection.
+/// Each further reflection lets the part `mean_albedo` leave [Kulla17].
 double after_several(double reflectance, double mean_albedo) {
   return reflectance * reflectance * mean_albedo / (1.0 - reflectance * (1.0 - mean_albedo));
 }
@@ -33,7 +33,7 @@ double evaluate_conductor_facets(const ConductorFacets& surface, const SurfaceOp
   const dvec3 h = glm::normalize(wo + wi);
   const double cos_h = glm::dot(wo, h);
   const double once = surface.ggx.density(h) * surface.ggx.g2(wo, wi) / (4.0 * wo.z);
-  double density = surface.ggx.visible_density(wo, h) / (4.0 * cos_h);
+  double pdf = surface.ggx.visible_pdf(wo, h) / (4.0 * cos_h);
   double several = 0.0, mean_albedo = 1.0;
   if (surface.compensation) {
     const double kept = 1.0 - surface.compensation->at(wo.z);
@@ -41,7 +41,7 @@ double evaluate_conductor_facets(const ConductorFacets& surface, const SurfaceOp
     if (mean_albedo < 1.0)
       several = kept * (1.0 - surface.compensation->at(wi.z)) * wi.z /
                 (std::numbers::pi * (1.0 - mean_albedo));
-    density = (1.0 - kept) * density + kept * wi.z / std::numbers::pi;
+    pdf = (1.0 - kept) * pdf + kept * wi.z / std::numbers::pi;
   }
   const auto value = [&](int b) {
     double f = once * optics.fractions(b, cos_h).reflected;
@@ -53,7 +53,7 @@ double evaluate_conductor_facets(const ConductorFacets& surface, const SurfaceOp
   for (int b = bands.first; b < bands.last; ++b)
     if (bands.has(b))
       f_cos[b] = static_cast<float>((alike ? shared : value(b)) * optics.reflection_scale(b));
-  return density;
+  return pdf;
 }
 
 std::optional<dvec3> sample_conductor_facets(const ConductorFacets& surface, const dvec3& wo,

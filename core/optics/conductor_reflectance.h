@@ -8,7 +8,7 @@ namespace abbe {
 ///   a^2 = (a^2 + b^2 + eta^2 - kappa^2 - s^2) / 2
 ///   R_s = (a^2 + b^2 - 2 a cos i + cos^2 i) / (a^2 + b^2 + 2 a cos i + cos^2 i)
 ///   R_p = R_s (cos^2 i (a^2 + b^2) - 2 a cos i s^2 + s^4) / (the same with + 2 a)
-/// At k = 0 it is Fresnel's formula for glass.
+/// With k = 0 this is Fresnel's formula for glass.
 [[nodiscard]] double conductor_reflectance(double cos_i, double n_before, double n, double k);
 
 } // namespace abbe

@@ -12,21 +12,21 @@
 namespace abbe {
 namespace {
 
-/// One way to scatter towards `wi` in one band: the function times cosine, the density with which
-/// that way picks it once it has chosen the side, and the fractions by which it chooses.
+/// One lobe in one band: the BSDF times cosine, the pdf with which the lobe picks `wi` once the
+/// side is chosen, and the fractions by which the side is chosen.
 struct Lobe {
-  double value = 0.0, density = 0.0;
+  double value = 0.0, pdf = 0.0;
   Fractions fractions{0.0, 0.0};
 };
 
-/// Both ways: by one facet, chosen with probability `chance_of_one`, or by several.
+/// The lobes of light that meets one facet, chosen with probability `chance_of_one`, or several.
 struct Lobes {
   Lobe one, several;
   double chance_of_one = 1.0;
 };
 
 /// The light that leaves after several facets, split between the sides. With E the albedo of one
-/// interaction, from the side before and behind, and T the mean transmittance,
+/// interaction and T the mean transmittance, from the side before and, with a prime, from behind,
 ///   f_r = r (1 - E(wo)) (1 - E(wi)) / (pi (1 - mean E)),
 ///   f_t = t (1 - E(wo)) (1 - E'(wi)) / (pi (1 - mean E'))   with r + t = 1
 /// conserve energy, and are reciprocal when t / t' = n'^2 (1 - mean E') / (n^2 (1 - mean E)). Since
@@ -46,7 +46,7 @@ struct Several {
   }
 };
 
-/// What does not depend on the band.
+/// Evaluates the lobes in one band after another; holds what does not depend on the band.
 class Evaluation {
 public:
   Evaluation(const DielectricFacets& surface, const SurfaceOptics& optics, const dvec3& wo,
@@ -56,12 +56,12 @@ public:
         place_i_(CosineTable::place(std::abs(wi.z))) {
     if (reflects()) {
       half_ = glm::normalize(wo + wi);
-      half_density_ = surface.ggx.visible_density(wo, half_);
+      half_pdf_ = surface.ggx.visible_pdf(wo, half_);
     }
   }
   [[nodiscard]] bool reflects() const { return wi_.z > 0.0; }
 
-  /// The lobes in a band, for flux, without the finish's factors.
+  /// The lobes in a band, for flux, without the material's reflectivity and transparency.
   [[nodiscard]] Lobes lobes(int b) const {
     Lobes both;
     both.one = reflects() ? reflection(b) : transmission(b);
@@ -73,8 +73,8 @@ private:
   [[nodiscard]] Lobe reflection(int b) const {
     const double along = glm::dot(wo_, half_);
     const Fractions f = optics_.fractions(b, along);
-    const double density = half_density_ / (4.0 * along);
-    return {f.reflected * seen_ * density, density, f};
+    const double pdf = half_pdf_ / (4.0 * along);
+    return {f.reflected * seen_ * pdf, pdf, f};
   }
 
   [[nodiscard]] Lobe transmission(int b) const {
@@ -86,10 +86,9 @@ private:
     const double o = glm::dot(wo_, h), i = glm::dot(wi_, h);
     if (!(o > 0.0 && i < 0.0)) return {};
     const Fractions f = optics_.fractions(b, o);
-    // |n_o (wo . h) + n_i (wi . h)| is the length that h had.
-    const double density =
-        surface_.ggx.visible_density(wo_, h) * -i * n_i * n_i / (length * length);
-    return {f.transmitted * seen_ * density, density, f};
+    // |n_o (wo . h) + n_i (wi . h)| is the length of h before normalization.
+    const double pdf = surface_.ggx.visible_pdf(wo_, h) * -i * n_i * n_i / (length * length);
+    return {f.transmitted * seen_ * pdf, pdf, f};
   }
 
   void add_several(int b, Lobes& both) const {
@@ -97,12 +96,12 @@ private:
     const Several several(albedo, optics_.n_after[b] / optics_.n_before[b]);
     both.chance_of_one = albedo.scattered(several.eta, place_o_);
     both.several.fractions = several.shares;
-    both.several.density = std::abs(wi_.z) / std::numbers::pi;
+    both.several.pdf = std::abs(wi_.z) / std::numbers::pi;
     const double kept = reflects() ? several.kept_before : several.kept_behind;
     if (!(kept > 0.0)) return;
     const EtaPlace side = reflects() ? several.eta : DielectricAlbedo::reversed(several.eta);
     both.several.value = (1.0 - both.chance_of_one) * (1.0 - albedo.scattered(side, place_i_)) /
-                         kept * both.several.density *
+                         kept * both.several.pdf *
                          (reflects() ? several.shares.reflected : several.shares.transmitted);
   }
 
@@ -112,10 +111,10 @@ private:
   double seen_; ///< G2 / G1(wo)
   TablePlace place_o_, place_i_;
   dvec3 half_{0.0, 0.0, 1.0};
-  double half_density_ = 0.0;
+  double half_pdf_ = 0.0;
 };
 
-/// The probability that `wi` of a lobe is on the side of `wo`, or else behind.
+/// The probability that a lobe chooses reflection or, with `reflects` false, transmission.
 double chance(const Fractions& f, const SurfaceOptics& optics, int b, bool reflects) {
   const double r = f.reflected * optics.reflection_scale(b);
   const double t = f.transmitted * optics.transmission_scale(b);
@@ -126,7 +125,7 @@ double chance(const Fractions& f, const SurfaceOptics& optics, int b, bool refle
 
 double evaluate_dielectric_facets(const DielectricFacets& surface, const SurfaceOptics& optics,
                                   const dvec3& wo, const dvec3& wi, const BandSet& bands,
-                                  Transport transport, float* f_cos) {
+                                  float* f_cos) {
   for (int b = bands.first; b < bands.last; ++b)
     f_cos[b] = 0.0f;
   if (wi.z == 0.0) return 0.0;
@@ -135,24 +134,24 @@ double evaluate_dielectric_facets(const DielectricFacets& surface, const Surface
   const bool alike = optics.alike(bands.first, bands.last);
   Lobes lobes;
   if (alike) lobes = evaluation.lobes(bands.first);
-  double density = 0.0;
+  double pdf = 0.0;
   int count = 0;
   for (int b = bands.first; b < bands.last; ++b) {
     if (!bands.has(b)) continue;
     if (!alike) lobes = evaluation.lobes(b);
     const Lobe &one = lobes.one, &several = lobes.several;
     double scale = reflects ? optics.reflection_scale(b) : optics.transmission_scale(b);
-    if (!reflects && transport == Transport::radiance) {
+    if (!reflects && surface.transport == Transport::radiance) {
       const double ratio = optics.n_before[b] / optics.n_after[b];
       scale *= ratio * ratio;
     }
     f_cos[b] = static_cast<float>(scale * (one.value + several.value));
-    density += lobes.chance_of_one * chance(one.fractions, optics, b, reflects) * one.density +
-               (1.0 - lobes.chance_of_one) * chance(several.fractions, optics, b, reflects) *
-                   several.density;
+    pdf +=
+        lobes.chance_of_one * chance(one.fractions, optics, b, reflects) * one.pdf +
+        (1.0 - lobes.chance_of_one) * chance(several.fractions, optics, b, reflects) * several.pdf;
     ++count;
   }
-  return count > 0 ? density / count : 0.0;
+  return count > 0 ? pdf / count : 0.0;
 }
 
 std::optional<dvec3> sample_dielectric_facets(const DielectricFacets& surface,

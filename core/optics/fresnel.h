@@ -11,9 +11,9 @@ namespace abbe {
 
 using glm::dvec3;
 
-/// The cosine behind a boundary, from Snell's law n_i sin i = n_t sin t. `eta` is n_t / n_i.
-/// Nothing where total internal reflection leaves no refracted ray: (sin i / eta)^2 > 1. (The
-/// thesis prints the test with 1 - N.dir for the cosine, squared; that is a misprint.)
+/// The cosine of the angle of refraction, from Snell's law n_i sin i = n_t sin t. `eta` is n_t /
+/// n_i. Empty under total internal reflection, (sin i / eta)^2 > 1. (The thesis prints the test
+/// with 1 - N.dir, squared, in place of the squared cosine; that is a misprint.)
 [[nodiscard]] inline std::optional<double> refracted_cosine(double cos_i, double eta) {
   const double sin2_t = (1.0 - cos_i * cos_i) / (eta * eta);
   if (sin2_t >= 1.0) return std::nullopt;
@@ -28,20 +28,20 @@ using glm::dvec3;
   return 0.5 * (s * s + p * p);
 }
 
-/// The same from the incident cosine alone; 1 under total internal reflection.
+/// The reflectance from the incident cosine alone; 1 under total internal reflection.
 [[nodiscard]] inline double fresnel_reflectance(double cos_i, double eta) {
   const auto cos_t = refracted_cosine(cos_i, eta);
   return cos_t ? fresnel_reflectance(cos_i, *cos_t, eta) : 1.0;
 }
 
-/// What a boundary returns and lets through, before a surface scales it.
+/// The fractions of the light that a boundary reflects and transmits, before a surface scales them.
 struct Fractions {
   double reflected, transmitted;
 };
 
-/// A smooth boundary between two clear media. Without Fresnel's equations all light is returned and
-/// all is let through, but under total internal reflection, where none is. In line, so that loops
-/// over bands can be done for several at once.
+/// The fractions of a smooth boundary between two clear media. Without Fresnel's equations both are
+/// 1, but nothing is transmitted under total internal reflection. The function is in line so that
+/// loops over bands can be vectorised.
 [[gnu::always_inline]] [[nodiscard]] inline Fractions
 dielectric_fractions(bool fresnel, double cos_i, double n_before, double n_after) {
   const double eta = n_after / n_before, inverse = n_before / n_after;
@@ -52,12 +52,12 @@ dielectric_fractions(bool fresnel, double cos_i, double n_before, double n_after
   return {fresnel ? reflectance : 1.0, fresnel ? 1.0 - reflectance : (passes ? 1.0 : 0.0)};
 }
 
-/// `normal` is unit and faces the incoming `direction`.
+/// The direction of a mirror's ray. `normal` is unit and faces the incoming `direction`.
 [[nodiscard]] inline dvec3 reflected(const dvec3& direction, const dvec3& normal) {
   return glm::normalize(direction - 2.0 * glm::dot(direction, normal) * normal);
 }
 
-/// The refracted direction for the cosines before and behind the boundary.
+/// The refracted direction, for given cosines before and behind the boundary.
 [[nodiscard]] inline dvec3 refracted(const dvec3& direction, const dvec3& normal, double cos_i,
                                      double cos_t, double eta) {
   return glm::normalize(direction / eta + (cos_i / eta - cos_t) * normal);

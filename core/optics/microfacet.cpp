@@ -12,7 +12,8 @@
 namespace abbe {
 
 double Ggx::density(const dvec3& h) const {
-  // cos^4 (1 + tan^2 / alpha^2)^2 without the difference of cosines, exact for small alpha too.
+  // cos^4 (1 + tan^2 / alpha^2)^2 without a difference of cosines, so that small alpha is exact
+  // too.
   const double x = h.x / alpha, y = h.y / alpha;
   const double sum = x * x + y * y + h.z * h.z;
   return 1.0 / (std::numbers::pi * alpha * alpha * sum * sum);
@@ -42,7 +43,7 @@ dvec3 Ggx::sample_visible_normal(const dvec3& wo, const dvec2& u) const {
   return glm::normalize(dvec3{alpha * h.x, alpha * h.y, std::max(0.0, h.z)});
 }
 
-double Ggx::visible_density(const dvec3& wo, const dvec3& h) const {
+double Ggx::visible_pdf(const dvec3& wo, const dvec3& h) const {
   const double along = glm::dot(wo, h);
   return along > 0.0 ? density(h) * g1(wo) * along / wo.z : 0.0;
 }

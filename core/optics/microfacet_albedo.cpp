@@ -9,10 +9,10 @@
 namespace abbe {
 namespace {
 
-/// The midpoint rule over the visible normals. The functions are even in phi, so half its range
-/// does. The steep normals of a smooth surface crowd near u.y = 1, so the points are even in v with
-/// u.y = 1 - v^2, and carry the weight 2 v. Against 200 x 1600 points the sums are off by less than
-/// 0.0015 for alpha from 0.0025 to 1 and eta from 1/2.4 to 2.4.
+/// The midpoint rule over the visible normals. The functions are even in phi, so that half of its
+/// range is enough. The steep normals of a smooth surface crowd near u.y = 1, so the points lie at
+/// equal steps of v with u.y = 1 - v^2, and have the weight 2 v. The sums differ from those of
+/// 200 x 1600 points by less than 0.0015 for alpha from 0.0025 to 1 and eta from 1/2.4 to 2.4.
 constexpr int kAround = 24, kOutwards = 96;
 
 /// The mean of `f` over the visible normals; f returns a value that adds and scales.

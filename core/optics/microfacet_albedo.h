@@ -4,16 +4,16 @@
 
 namespace abbe {
 
-/// Of light from a direction with cosine `mu`, the part that GGX facets that reflect all of it
-/// return after one reflection; the rest meets further facets. By quadrature over the visible
-/// normals.
+/// The part of the light from a direction with cosine `mu` that leaves perfectly reflecting GGX
+/// facets after one reflection, by quadrature over the visible normals. The rest meets further
+/// facets.
 [[nodiscard]] double reflected_once(const Ggx& ggx, double mu);
 
-/// Of the flux from a direction with cosine `mu`, what clear facets return and let through after
-/// one interaction. `eta` is n behind / n on the side of the light.
+/// The parts of the flux that leave clear facets after one interaction.
 struct OnceScattered {
   double reflected, transmitted;
 };
+/// These parts for a direction with cosine `mu`. `eta` is n behind / n on the side of the light.
 [[nodiscard]] OnceScattered scattered_once(const Ggx& ggx, double mu, double eta);
 
 } // namespace abbe

@@ -1,7 +1,6 @@
 #include "core/optics/surface_optics.h"
 
 #include "core/optics/conductor_reflectance.h"
-#include "core/optics/thin_film.h"
 
 namespace abbe {
 
@@ -16,7 +15,7 @@ Fractions SurfaceOptics::fractions(int b, double cos_i) const {
                    : conductor_reflectance(cos_i, n_before[b], metal_n[b], metal_k[b]);
     return {reflected, 0.0};
   }
-  if (!film_shows) return dielectric_fractions(fresnel, cos_i, n_before[b], n_after[b]);
+  if (!film_shows || !fresnel) return dielectric_fractions(fresnel, cos_i, n_before[b], n_after[b]);
   const double reflected = thin_film_reflectance(cos_i, n_before[b], film.index[b], n_after[b],
                                                  film.thickness_nm, film.lambda_nm[b]);
   return {reflected, 1.0 - reflected};

@@ -12,22 +12,23 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// n cos(theta) of the wave inside a medium: the root that does not grow with depth, for waves
-/// that go as e^{i omega t}. `across` = n sin(theta), the same in all media.
+/// n cos(theta) of the wave inside a medium, for waves e^{i omega t}: the root whose wave does not
+/// grow with depth. `across` = n sin(theta) is the same in all media.
 Complex along_normal(Complex n, double across) {
   const Complex root = std::sqrt(n * n - across * across);
   return root.imag() > 0.0 ? -root : root;
 }
 
 /// Airy's sum for one polarisation, from the media's admittances y: r = (y_i - y_t) / (y_i + y_t).
+/// `turn` is e^{-2 i delta}.
 double airy(Complex y0, Complex y1, Complex y2, Complex turn) {
   const Complex r01 = (y0 - y1) / (y0 + y1), r12 = (y1 - y2) / (y1 + y2);
   return std::norm((r01 + r12 * turn) / (1.0 + r01 * r12 * turn));
 }
 
-/// The same without absorption and without total reflection in the film, where all but the turn is
-/// real: with r_01 = a / b and r_12 = c / d, over one denominator. `phase_cosine` is the turn's
-/// real part.
+/// Airy's sum without absorption and without total reflection in the film, where all but the turn
+/// is real, with r_01 = a / b and r_12 = c / d and over one denominator. `phase_cosine` is the
+/// turn's real part.
 double airy(double y0, double y1, double y2, double phase_cosine) {
   const double a = y0 - y1, b = y0 + y1, c = y1 - y2, d = y1 + y2;
   const double both = 2.0 * (a * b) * (c * d) * phase_cosine;
@@ -35,7 +36,8 @@ double airy(double y0, double y1, double y2, double phase_cosine) {
   return (ad * ad + cb * cb + both) / (bd * bd + ac * ac + both);
 }
 
-/// As thin_film_reflectance. The admittances for p are n^2 / z, here times all three z.
+/// As thin_film_reflectance, where all is real. The admittances for p are n^2 / z, here multiplied
+/// by all three z.
 [[gnu::always_inline]] inline double clear_film_reflectance(double z0, double n_before,
                                                             double n_film, double n_behind,
                                                             double across2,
@@ -49,11 +51,11 @@ double airy(double y0, double y1, double y2, double phase_cosine) {
   return std::clamp(0.5 * (s + p), 0.0, 1.0);
 }
 
-/// Near the film's critical angle the real form loses places by cancellation, as 1 over the square
-/// of its cosine; farther off than this it keeps twelve.
+/// Near the film's critical angle cancellation costs the real form digits, in proportion to 1 over
+/// the squared cosine. Above this squared cosine it keeps twelve digits.
 constexpr double kLeastCosine2 = 1e-4;
 
-/// True where the real form holds, and light goes through to the medium behind.
+/// True where the real form holds and light reaches the medium behind.
 bool is_clear(double n_film, double n_behind, double across2) {
   return across2 < (1.0 - kLeastCosine2) * (n_film * n_film) && across2 < n_behind * n_behind;
 }
@@ -71,7 +73,7 @@ double thin_film_reflectance(double cos_i, double n_before, double n_film, Compl
                                   2.0 * thickness_nm / lambda_nm);
   Complex z1 = along_normal(n_film, across);
   // At the film's critical angle the quotients below are 0 / 0 with a limit. Rounding of n^2 - s^2
-  // leaves z1 uncertain by this much, so it may as well be it.
+  // leaves z1 uncertain by this much, which therefore may take the place of 0.
   if (z1 == 0.0) z1 = n_film * std::sqrt(std::numeric_limits<double>::epsilon());
   const Complex z2 = along_normal(n_behind, across);
   const Complex turn =
@@ -82,9 +84,12 @@ double thin_film_reflectance(double cos_i, double n_before, double n_film, Compl
   return std::min(1.0, 0.5 * (s + p));
 }
 
-void thin_film_reflectances(double cos_i, const double* n_before, const double* n_film,
-                            const double* n_behind, double thickness_nm, const double* lambda_nm,
-                            int first, int last, float* reflectances) {
+void thin_film_reflectances(double cos_i, const double* n_before, const FilmOptics& film,
+                            const double* n_behind, BandSpan<float> reflectances) {
+  const auto [first, last] = reflectances.bands;
+  const double thickness_nm = film.thickness_nm;
+  const double* n_film = film.index;
+  const double* lambda_nm = film.lambda_nm;
   const double sine2 = std::max(0.0, 1.0 - cos_i * cos_i);
   for (int b = first; b < last; ++b)
     reflectances[b] = static_cast<float>(clear_film_reflectance(

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/bands/band_span.h"
+
 #include <complex>
 
 namespace abbe {
@@ -11,14 +13,21 @@ namespace abbe {
 /// for each polarisation with Fresnel's amplitudes; then the mean of |r|^2. `n_behind` = n - i k
 /// may be a metal's. Where it is real, nothing is absorbed, and 1 minus the reflectance is
 /// transmitted; the reflectance is then 1 under total reflection, however thin the film.
-/// Lengths in nm, the wavelength in air as the indices.
+/// Lengths are in nm; the wavelength is that in air, as for the indices.
 [[nodiscard]] double thin_film_reflectance(double cos_i, double n_before, double n_film,
                                            std::complex<double> n_behind, double thickness_nm,
                                            double lambda_nm);
 
-/// The same between clear media for bands [first, last), several at once.
-void thin_film_reflectances(double cos_i, const double* n_before, const double* n_film,
-                            const double* n_behind, double thickness_nm, const double* lambda_nm,
-                            int first, int last, float* reflectances);
+/// A film on a boundary, at the bands.
+struct FilmOptics {
+  double thickness_nm = 0.0;         ///< 0: there is none
+  const double* index = nullptr;     ///< per band, real
+  const double* lambda_nm = nullptr; ///< per band, the wavelength at which `index` was taken
+};
+
+/// The same between clear media, whose indices are arrays over bands, for the bands of
+/// `reflectances`, several at once.
+void thin_film_reflectances(double cos_i, const double* n_before, const FilmOptics& film,
+                            const double* n_behind, BandSpan<float> reflectances);
 
 } // namespace abbe

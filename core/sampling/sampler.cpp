@@ -22,8 +22,8 @@ std::uint32_t bits_reversed(std::uint32_t x) {
   return ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
 }
 
-/// Owen's nested uniform scramble by hashing from the low bits upwards [Laine11, Vegdahl21], of a
-/// number given with its bits reversed.
+/// Applies Owen's nested uniform scramble, by hashing from the low bits upwards [Laine11,
+/// Vegdahl21], to a number that is given with its bits reversed.
 std::uint32_t owen_scrambled_reverse_of(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
@@ -33,9 +33,10 @@ std::uint32_t owen_scrambled_reverse_of(std::uint32_t x, std::uint32_t seed) {
   return bits_reversed(x);
 }
 
-/// The second dimension of Sobol's sequence, its bits reversed; the first is the index, reversed.
-/// Bit j is the sum modulo 2 of the index's bits i with odd binomial(i, j), that is (Lucas) of
-/// those i that have every bit of j: a sum over supersets, one bit of the numbers i at a time.
+/// The second dimension of Sobol's sequence with its bits reversed. (The first dimension is the
+/// reversed index.) Bit j is the sum modulo 2 of the index's bits i with odd binomial(i, j), that
+/// is (Lucas) of those i that have every bit of j: a sum over supersets, one bit of the numbers i
+/// at a time.
 std::uint32_t sobol_second_reversed(std::uint32_t x) {
   x ^= (x >> 16) & 0x0000ffffu;
   x ^= (x >> 8) & 0x00ff00ffu;
@@ -50,7 +51,8 @@ double unit(std::uint32_t x) {
 
 constexpr double kGaussianSigma = 0.5, kGaussianRadius = 1.5;
 
-/// The inverse of the cut-off normal distribution's cumulative, by bisection once, then a table.
+/// The inverse of the truncated normal distribution's cumulative distribution function. The first
+/// call tabulates it by bisection.
 double gaussian_offset(double u) {
   constexpr int kSteps = 1024;
   static const auto table = [] {
@@ -116,7 +118,7 @@ dvec2 filter_offset(PixelFilter filter, const dvec2& u) {
   return {};
 }
 
-double filter_density(PixelFilter filter, double offset) {
+double filter_pdf(PixelFilter filter, double offset) {
   const double x = std::abs(offset);
   switch (filter) {
   case PixelFilter::box:

@@ -14,28 +14,27 @@ Scattering::Scattering(const Plan& plan, Transport transport)
 
 /// The sum over bands of throughput times a part's factors.
 double Scattering::brought(const float* factors) const {
-  return static_cast<double>(weighted_sum(in_.live, factors, in_.first, in_.last));
+  return static_cast<double>(weighted_sum(in_.live, factors, in_.bands.first, in_.bands.last));
 }
 
 /// A rough boundary between media of the same index is none, and so is not rough.
 bool Scattering::rough() const {
   if (!facts_.rough || !(in_.wo.z > 0.0)) return false;
   if (!facts_.transmits) return true;
-  for (int b = in_.first; b < in_.last; ++b)
+  for (int b = in_.bands.first; b < in_.bands.last; ++b)
     if (in_.n_before[b] != in_.n_after[b]) return true;
   return false;
 }
 
 void Scattering::prepare(const MaterialPlan& material, const BandTable& diffuse, const Hit& hit,
-                         const dvec3& direction, int first, int last, const float* throughput,
+                         const dvec3& direction, BandSpan<const float> throughput,
                          PathWavelengths& wavelengths) {
   material_ = &material;
   facts_ = facts_of(material.bsdf);
   diffuse_ = &diffuse;
-  in_.first = first;
-  in_.last = last;
-  in_.live = throughput;
-  reflect_ = refract_ = spread_ = facets_ = 0.0;
+  in_.bands = throughput.bands;
+  in_.live = throughput.data;
+  reflect_ = refract_ = nonspecular_ = facets_ = 0.0;
   const dvec3 normal = hit.entering ? hit.normal : -hit.normal;
   dvec3 wo{0.0};
   if (material.lit() || facts_.rough) {
@@ -48,16 +47,16 @@ void Scattering::prepare(const MaterialPlan& material, const BandTable& diffuse,
   in_.wo = wo;
   if (facts_.goes_on()) find_smooth_parts(hit, wavelengths);
   in_.ground = diffuse.data();
-  find_spreading_parts();
-  const double total = reflect_ + refract_ + spread_;
+  find_nonspecular_parts();
+  const double total = reflect_ + refract_ + nonspecular_;
   if (!(total > 0.0)) return;
   reflect_ /= total;
   refract_ /= total;
-  spread_ /= total;
+  nonspecular_ /= total;
 }
 
 void Scattering::find_smooth_parts(const Hit& hit, PathWavelengths& wavelengths) {
-  const Incidence at = surface_incidence(material_->bsdf, hit, {in_.first, in_.last}, wavelengths);
+  const Incidence at = surface_incidence(material_->bsdf, hit, in_.bands, wavelengths);
   in_.n_before = at.n_before;
   in_.n_after = at.n_after;
   in_.n_layer = at.n_layer;
@@ -67,7 +66,8 @@ void Scattering::find_smooth_parts(const Hit& hit, PathWavelengths& wavelengths)
   if (facts_.transmits) {
     // Radiance in a dense medium is n^2 times that outside and will lose this again: what counts
     // is the flux.
-    const int b = std::max(in_.first, plan_.live_first); // whether or not dead bands are carried
+    const int b =
+        std::max(in_.bands.first, plan_.live_first); // whether or not dead bands are carried
     const double eta = transport_ == Transport::radiance ? in_.n_after[b] / in_.n_before[b] : 1.0;
     refract_ = eta * eta * brought(transmitted_.data());
   }
@@ -76,10 +76,10 @@ void Scattering::find_smooth_parts(const Hit& hit, PathWavelengths& wavelengths)
 }
 
 /// What facets reflect and refract is spread, in proportion to what a smooth surface would bring.
-void Scattering::find_spreading_parts() {
+void Scattering::find_nonspecular_parts() {
   // Lambert's part alone needs no comparing.
   if (!facts_.goes_on() && !material_->phong.present()) {
-    spread_ = diffuse_->zero() ? 0.0 : 1.0;
+    nonspecular_ = diffuse_->zero() ? 0.0 : 1.0;
     lambert_ = 1.0;
     return;
   }
@@ -90,26 +90,26 @@ void Scattering::find_spreading_parts() {
     diffuse += reflect_;
     reflect_ = 0.0;
   }
-  spread_ = diffuse + phong;
-  lambert_ = spread_ > 0.0 ? diffuse / spread_ : 1.0;
+  nonspecular_ = diffuse + phong;
+  lambert_ = nonspecular_ > 0.0 ? diffuse / nonspecular_ : 1.0;
   if (!facts_.rough || facts_.coats || !rough) return; // not rough when seen along the surface
   const double facets = reflect_ + refract_;
   reflect_ = refract_ = 0.0;
-  spread_ += facets;
-  facets_ = spread_ > 0.0 ? facets / spread_ : 0.0;
+  nonspecular_ += facets;
+  facets_ = nonspecular_ > 0.0 ? facets / nonspecular_ : 0.0;
 }
 
 Scattering::Choice Scattering::choose(double u) const {
-  if (u < spread_) return {ScatterKind::spread, spread_};
-  if (u < spread_ + reflect_) return {ScatterKind::reflect, reflect_};
+  if (u < nonspecular_) return {ScatterKind::nonspecular, nonspecular_};
+  if (u < nonspecular_ + reflect_) return {ScatterKind::reflect, reflect_};
   if (refract_ > 0.0) return {through(), refract_};
   if (reflect_ > 0.0) return {ScatterKind::reflect, reflect_}; // u was rounded past the sum
-  if (spread_ > 0.0) return {ScatterKind::spread, spread_};
+  if (nonspecular_ > 0.0) return {ScatterKind::nonspecular, nonspecular_};
   return {};
 }
 
 Scattering::Branches Scattering::branch(double u, double eagerness) const {
-  const double other = spread_ + refract_;
+  const double other = nonspecular_ + refract_;
   if (!(eagerness > 1.0) || reflect_ == 0.0 || other == 0.0) {
     const Choice one = choose(u);
     if (one.kind == ScatterKind::reflect) return {one.chance, {}};
@@ -121,8 +121,8 @@ Scattering::Branches Scattering::branch(double u, double eagerness) const {
   if (u < reflect) branches.reflect_chance = reflect;
   if (u >= 1.0 - on) {
     const double chosen = (u - (1.0 - on)) / on * other;
-    branches.on = chosen < spread_ || refract_ == 0.0
-                      ? Choice{ScatterKind::spread, on * (spread_ / other)}
+    branches.on = chosen < nonspecular_ || refract_ == 0.0
+                      ? Choice{ScatterKind::nonspecular, on * (nonspecular_ / other)}
                       : Choice{through(), on * (refract_ / other)};
   }
   return branches;
@@ -147,15 +147,15 @@ double Scattering::evaluate(const dvec3& towards, float* f_cos) {
       pdf += (1.0 - lambert_) * material_->phong.add(in_, local, f_cos);
     pdf *= 1.0 - facets_;
   } else {
-    std::fill(f_cos + in_.first, f_cos + in_.last, 0.0f);
+    std::fill(f_cos + in_.bands.first, f_cos + in_.bands.last, 0.0f);
   }
   if (facets_ > 0.0) {
     pdf += facets_ *
            abbe::evaluate(material_->bsdf, in_, frame_.to_local(towards), facet_light_.data());
-    for (int b = in_.first; b < in_.last; ++b)
+    for (int b = in_.bands.first; b < in_.bands.last; ++b)
       f_cos[b] += facet_light_[static_cast<std::size_t>(b)];
   }
-  return spread_ * pdf;
+  return nonspecular_ * pdf;
 }
 
 std::optional<dvec3> Scattering::sample_local(const dvec2& u, const dvec2& lobe) const {

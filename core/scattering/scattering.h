@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bands/band_span.h"
 #include "core/bundles/path_wavelengths.h"
 #include "core/optics/frame.h"
 #include "geometry/rays/ray_state.h"
@@ -13,7 +14,7 @@ using glm::dvec2;
 
 /// How a path goes on from a surface: along the one reflected ray, along the refracted rays (each
 /// band its own), straight through a pane, or to any side by a pdf.
-enum class ScatterKind : std::uint8_t { none, reflect, refract, pass, spread };
+enum class ScatterKind : std::uint8_t { none, reflect, refract, pass, nonspecular };
 
 /// A direction that the spreading part of a surface was asked for.
 struct BsdfSample {
@@ -33,19 +34,19 @@ public:
   /// proportion to what they would bring of `throughput`, summed over the bands; bands without
   /// throughput take no part in what follows. Keeps references to all.
   void prepare(const MaterialPlan& material, const BandTable& diffuse, const Hit& hit,
-               const dvec3& direction, int first, int last, const float* throughput,
+               const dvec3& direction, BandSpan<const float> throughput,
                PathWavelengths& wavelengths);
 
   /// True when some of the light is spread, so that lamps can be aimed at.
-  [[nodiscard]] bool spreads() const { return spread_ > 0.0; }
+  [[nodiscard]] bool has_nonspecular() const { return nonspecular_ > 0.0; }
   /// True when some of it comes from the other side of the surface.
-  [[nodiscard]] bool spreads_through() const {
-    return spreads() && facets_ > 0.0 && facts_.transmits;
+  [[nodiscard]] bool transmits_nonspecular() const {
+    return has_nonspecular() && facets_ > 0.0 && facts_.transmits;
   }
 
   /// True when there is but one part, or none, to choose.
   [[nodiscard]] bool certain() const {
-    return (reflect_ > 0.0) + (refract_ > 0.0) + (spread_ > 0.0) < 2;
+    return (reflect_ > 0.0) + (refract_ > 0.0) + (nonspecular_ > 0.0) < 2;
   }
 
   /// One of the parts, by a number in [0, 1), and the chance with which it was chosen.
@@ -64,7 +65,7 @@ public:
   /// eagerness of 1 or less, one part alone.
   [[nodiscard]] Branches branch(double u, double eagerness) const;
   /// With which `choose` spreads, and `evaluate` reckons.
-  [[nodiscard]] double spread_chance() const { return spread_; }
+  [[nodiscard]] double nonspecular_chance() const { return nonspecular_; }
   /// The same as `choose` among the reflected and the refracted ray alone.
   [[nodiscard]] Choice choose_specular(double u) const;
 
@@ -90,7 +91,7 @@ private:
     return facts_.passes ? ScatterKind::pass : ScatterKind::refract;
   }
   void find_smooth_parts(const Hit& hit, PathWavelengths& wavelengths);
-  void find_spreading_parts();
+  void find_nonspecular_parts();
   [[nodiscard]] bool rough() const;
   [[nodiscard]] double brought(const float* factors) const;
   [[nodiscard]] std::optional<dvec3> sample_local(const dvec2& u, const dvec2& lobe) const;
@@ -104,7 +105,7 @@ private:
   Frame frame_{dvec3(0.0, 0.0, 1.0)}; ///< z: the normal on the side that the ray comes from
   std::vector<float> reflected_, transmitted_;
   /// Chances of the parts; `refract_` is that of a pane's straight ray too.
-  double reflect_ = 0.0, refract_ = 0.0, spread_ = 0.0;
+  double reflect_ = 0.0, refract_ = 0.0, nonspecular_ = 0.0;
   double facets_ = 0.0;  ///< chance of a rough surface's facets, given spread
   double lambert_ = 1.0; ///< chance of the diffuse part against the highlight, given neither
   std::vector<float> facet_light_; ///< scratch

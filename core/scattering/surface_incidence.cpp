@@ -5,8 +5,7 @@ namespace abbe {
 Incidence surface_incidence(const Bsdf& bsdf, const Hit& hit, BandRange bands,
                             PathWavelengths& wavelengths) {
   Incidence in;
-  in.first = bands.first;
-  in.last = bands.last;
+  in.bands = bands;
   in.n_before = wavelengths.indices(hit.medium_before);
   in.n_after = wavelengths.indices(hit.medium_after);
   const BsdfLayer layer = layer_of(bsdf);

@@ -9,7 +9,7 @@
 
 namespace abbe {
 
-/// What shall look white. A light's chromaticity is another for each observer.
+/// The chromaticity that is shown as white. That of a light differs between the observers.
 struct WhitePoint {
   Chromaticity cie1931_2deg, cie1964_10deg;
 
@@ -21,16 +21,16 @@ struct WhitePoint {
   friend bool operator==(const WhitePoint&, const WhitePoint&) = default;
 };
 
-/// How a picture is prepared for a screen. None of it touches scene-linear or spectral images.
+/// How an image is prepared for a screen. Scene-linear and spectral images do not depend on it.
 struct DisplaySettings {
-  double exposure_ev = 0.0; ///< brightness is multiplied by 2^exposure
+  double exposure_ev = 0.0; ///< radiance is multiplied by 2^exposure_ev
   GamutMapping gamut = GamutMapping::desaturate;
   ColorSpace space = srgb_space();
   std::optional<TransferFunction> transfer = std::nullopt; ///< empty: that of the space
-  std::optional<WhitePoint> white_point = std::nullopt;    ///< empty: what is, is shown
+  std::optional<WhitePoint> white_point = std::nullopt;    ///< empty: no adaptation
 };
 
-/// What the numbers of a picture for a screen mean; it goes into the file's colour profile.
+/// What the numbers of an image for a screen mean. The file's colour profile is made from it.
 struct DisplayEncoding {
   ColorSpace space = srgb_space();
   TransferFunction transfer = srgb_transfer();

@@ -13,17 +13,17 @@ namespace abbe {
 /// to the film, and a radius of curvature above 0 has its centre on the film's side.
 struct PrescribedSurface {
   double radius_mm = 0.0;    ///< 0: flat
-  double thickness_mm = 0.0; ///< to the next vertex; the last one's is not used
+  double thickness_mm = 0.0; ///< to the next vertex; that of the last surface is not used
   Dispersion medium_after = ConstantIndex{1.0};
-  std::optional<double> semi_diameter_mm; ///< of the clear aperture; none: see LensSystem
+  std::optional<double> semi_diameter_mm; ///< of the clear aperture; empty: see LensSystem
 };
 
-/// A lens as plain values, in order from the object to the film. Air is before and behind it; its
-/// index is 1, as glass indices are relative to air.
+/// A lens as plain values, in order from the object to the film. There is air before and behind it.
+/// The index of air is 1, as glass indices are relative to air.
 struct LensPrescription {
   std::string name;
   std::vector<PrescribedSurface> surfaces;
-  std::size_t stop = 0; ///< which surface is the aperture stop
+  std::size_t stop = 0; ///< the index of the surface that is the aperture stop
   std::optional<double> f_number;
   double half_field_deg = 0.0; ///< for surfaces without a semi-diameter
 };

@@ -13,24 +13,24 @@ namespace abbe {
 
 using glm::dvec3;
 
-/// `none`: the thesis's and Hill's lights; irradiance at normal incidence is pi times the value,
-/// at any distance. `square`: the value is radiant intensity; irradiance falls with distance
-/// squared.
+/// How irradiance depends on the distance from a light. `none`, as in the thesis and in Hill's
+/// renderer: at normal incidence it is pi times the light's value at any distance. `square`: the
+/// value is a radiant intensity, and irradiance falls with the square of the distance.
 enum class Falloff : std::uint8_t { none, square };
 
-/// Light from one point to all sides.
+/// A light that shines from one point in all directions.
 struct PointLight {
   dvec3 position{0.0};
   Falloff falloff = Falloff::none;
 };
 
-/// Parallel light that travels along `direction` (unit).
+/// Parallel light.
 struct DirectionalLight {
-  dvec3 direction{0.0, 0.0, -1.0};
+  dvec3 direction{0.0, 0.0, -1.0}; ///< unit, along which the light travels
 };
 
-/// Light from one point into a cone. Full inside `full_angle` of the axis, none outside
-/// `half_angle`, a smooth step between.
+/// A light that shines from one point into a cone: with full strength within `full_angle` of the
+/// axis, not at all beyond `half_angle`, and with a smooth step between.
 struct SpotLight {
   dvec3 position{0.0};
   dvec3 axis{0.0, 0.0, -1.0}; ///< unit
@@ -39,21 +39,21 @@ struct SpotLight {
   Falloff falloff = Falloff::none;
 };
 
-/// A disc of directions from which parallel light comes. Irradiance is that of parallel light of
-/// the same value; the radiance of the disc follows from it: pi value = radiance pi sin^2 radius.
+/// A disc in the sky. At normal incidence its irradiance is pi times the light's value, as that of
+/// parallel light is. The radiance of the disc follows: pi value = radiance pi sin^2 radius.
 struct SunLight {
-  dvec3 direction{0.0, 0.0, -1.0}; ///< unit, along which its light travels
-  double angular_radius = 0.2665 * std::numbers::pi / 180.0; ///< the sun's mean one [Cox00]
+  dvec3 direction{0.0, 0.0, -1.0}; ///< unit, along which the light from its middle travels
+  double angular_radius = 0.2665 * std::numbers::pi / 180.0; ///< by default the sun's mean [Cox00]
 };
 
-/// All kinds of light that a scene names. The functions that each kind has, and that a new one
-/// needs, are listed in core/lights/light_kinds.h.
+/// All kinds of lights that are no shapes. core/lights/light_kinds.h lists the functions that each
+/// kind has and that a new one needs.
 using LightKind = std::variant<PointLight, DirectionalLight, SpotLight, SunLight>;
 
-/// A light of the scene that is no shape.
+/// A light that is no shape.
 struct Light {
   std::string name;
-  Curve spectrum = Curve::constant(1.0); ///< value per wavelength, intensity included
+  Curve spectrum = Curve::constant(1.0); ///< the value by wavelength, times the intensity
   LightKind kind;
 };
 

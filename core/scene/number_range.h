@@ -5,7 +5,7 @@
 
 namespace abbe {
 
-/// The numbers that a setting or an argument may have, and what it is, for messages.
+/// The numbers that a setting or an argument may have, with words for error messages.
 struct Range {
   std::string_view meaning; ///< completes "it is ..."
   double lowest = 0.0;

@@ -17,7 +17,7 @@ namespace abbe {
 
 /// A scene as plain values. Nothing is looked up by name after reading.
 struct Scene {
-  std::string title; ///< the file's name without folder and extension
+  std::string title; ///< the name of the file without folder and extension
   Camera camera;
   RenderSettings settings;
   DisplaySettings display;
@@ -29,8 +29,8 @@ struct Scene {
   std::vector<Light> lights;
   std::vector<ReflectanceImage> images; ///< of textures
 
-  Curve background = Curve::constant(0.0);     ///< radiance where a ray meets nothing
-  std::optional<Environment> environment;      ///< the same by direction; it adds to the background
+  Curve background = Curve::constant(0.0);     ///< the radiance of a ray that meets nothing
+  std::optional<Environment> environment;      ///< adds radiance by direction to the background
   Curve global_ambient = Curve::constant(0.0); ///< the thesis's stand-in for indirect light
 };
 

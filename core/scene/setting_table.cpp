@@ -171,7 +171,7 @@ constexpr auto kRenderTable = std::to_array<RenderSetting>({
     {.value = RenderChoice<Caustics>{&S::caustics, kCaustics},
      .keyword = "caustics",
      .option = "--caustics",
-     .help = "With path, find light that comes by mirrors and glass from its lamps",
+     .help = "With path, find light that comes by mirrors and glass from its lights",
      .metadata = "caustics",
      .variation = "caustics",
      .matters = follows_paths},
@@ -216,7 +216,7 @@ constexpr auto kRenderTable = std::to_array<RenderSetting>({
      .help = "Leave out what the plan finds to be without effect"},
     {.value = RenderChoice<Tracing>{&S::tracing, kTracings},
      .option = "--tracing",
-     .help = "How rays are handed to Embree; the picture is the same"},
+     .help = "How rays are handed to Embree; the image is the same"},
 });
 
 using D = DisplaySettings;

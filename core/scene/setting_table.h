@@ -12,41 +12,41 @@
 
 namespace abbe {
 
-// Every setting of a picture is one row of the two tables below. The reader of scenes, the command
-// line and its help, the text in picture files and the variations of the bench all take it from
-// there, so that none of them can forget a setting or tell another default.
+// Every setting of an image is one row of the two tables below. The reader of scenes, the command
+// line with its help, the metadata of image files and the variations of the bench all use these
+// rows, so that none of them can forget a setting or state another default.
 
-/// A value of a setting by its word.
+/// A value of a setting and the word for it.
 template <class Value>
 struct Word {
   std::string_view word;
   Value value;
-  std::string_view short_word{}; ///< also taken, but not in scenes
+  std::string_view short_word{}; ///< also understood, but not in scenes
 };
 
-// What a setting's value is and where it lies.
+// The types of values. Each tells where its value lies.
 
 template <class Settings>
 struct WholeNumber {
-  int Settings::*member;
+  int Settings::* member;
   Range range;
 };
 template <class Settings>
 struct RealNumber {
-  double Settings::*member;
+  double Settings::* member;
   Range range;
 };
-/// Any whole number of 64 bits.
+/// Any whole number of 64 bits without sign.
 struct SeedNumber {
-  std::uint64_t RenderSettings::*member;
+  std::uint64_t RenderSettings::* member;
 };
 /// One of a few words.
 template <class Settings, class Value>
 struct Choice {
-  Value Settings::*member;
+  Value Settings::* member;
   std::span<const Word<Value>> words;
 };
-/// Width and height of the whole picture.
+/// The width and height of the whole image.
 struct ImageSize {
   Range range;
 };
@@ -58,7 +58,7 @@ struct CropCorners {
 struct DisplaySpace {};
 /// The display's transfer function by its name or its gamma.
 struct DisplayTransfer {};
-/// What shall look white: an illuminant, a chromaticity, or nothing.
+/// The white point: an illuminant, a chromaticity, or nothing.
 struct DisplayWhite {};
 
 template <class Value>
@@ -74,7 +74,7 @@ using DisplayValue =
     std::variant<RealNumber<DisplaySettings>, Choice<DisplaySettings, GamutMapping>, DisplaySpace,
                  DisplayTransfer, DisplayWhite>;
 
-/// One setting. A name that is empty says that the setting is not to be had in that way.
+/// One setting. Where a name is empty, the setting cannot be given there.
 template <class Settings, class Value>
 struct SettingRow {
   Value value;
@@ -83,30 +83,31 @@ struct SettingRow {
   std::string_view option{};    ///< of the command line, with its dashes
   std::string_view type{};      ///< of the option's value; empty: by the kind of the value
   std::string_view help{};
-  std::string_view default_words{}; ///< the default in words, where its value does not tell it
-  std::string_view metadata{};      ///< in picture files, where it gets the prefix "abbe/"
+  std::string_view default_words{}; ///< describes a default that the value itself does not tell
+  std::string_view metadata{};      ///< its name in image files, after the prefix "abbe/"
   std::string_view variation{};     ///< of the bench
   bool flag = false;                ///< the option stands alone and means "on"
-  /// Whether it can make a difference; where not, it is left out of picture files. Null: always.
+  /// Tells whether the setting has an effect. Where it has none, image files leave it out. Null:
+  /// always.
   bool (*matters)(const Settings&) = nullptr;
 };
 
 using RenderSetting = SettingRow<RenderSettings, RenderValue>;
 using DisplaySetting = SettingRow<DisplaySettings, DisplayValue>;
 
-/// All members of RenderSettings, in the order of the help and of picture files.
+/// All members of RenderSettings, in the order of the help and of image files.
 [[nodiscard]] std::span<const RenderSetting> render_setting_table();
 /// All members of DisplaySettings.
 [[nodiscard]] std::span<const DisplaySetting> display_setting_table();
 
-/// The value as scenes, command lines and picture files have it: "81", "on", "512x512". A crop or a
+/// The value as scenes, command lines and image files have it: "81", "on", "512x512". A crop or a
 /// white point that is not set is "none".
 [[nodiscard]] std::string value_text(const RenderSetting& row, const RenderSettings& settings);
-/// The name of a colour space or a transfer function is its own, which is not always that by which
-/// it is found; a transfer function that is not set is that of the space.
+/// A colour space or a transfer function gives its own name, which may differ from the name by
+/// which it was found. A transfer function that is not set is that of the space.
 [[nodiscard]] std::string value_text(const DisplaySetting& row, const DisplaySettings& settings);
 
-/// "whitted|path": all words of a choice; empty for other settings.
+/// All words of a choice, such as "whitted|path"; empty for other settings.
 [[nodiscard]] std::string choice_words(const RenderSetting& row);
 [[nodiscard]] std::string choice_words(const DisplaySetting& row);
 

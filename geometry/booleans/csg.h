@@ -13,7 +13,7 @@ enum class CsgOperation : std::uint8_t { unite, intersect, subtract };
 struct CsgLeaf {
   Convex solid;
   Transform to_tree;
-  MaterialId material;  ///< this operand's own finish; invalid: that of the whole solid
+  MaterialId material;  ///< of this operand alone; invalid: that of the whole solid
   bool flipped = false; ///< subtracted an odd number of times: the solid lies outside this leaf
 };
 

@@ -21,10 +21,10 @@ float rounded_up(double value) {
 /// A ray against eight boxes at once, in single precision. No box is missed whose content the
 /// double ray may meet at t >= 0:
 /// - The ray begins where it comes near the hierarchy (`advance`), at o from the centre, and has
-///   met or left all boxes after the time `way`.
+///   met or left all boxes before t - advance reaches `duration`.
 /// - The boxes grow by `margin`: four times what the solver may take a surface to be off its place,
-///   and e = 2^-22 radius, since a component of the direction below e / way is replaced by that;
-///   this moves the ray by e at most, and no reciprocal overflows.
+///   and e = 2^-22 radius, since a component of the direction below e / duration is replaced by
+///   that; this moves the ray by e at most, and no reciprocal overflows.
 /// - o plus and minus the margin are rounded outwards, as the boxes are. So a difference has the
 ///   right sign. It, the reciprocal and their product round once each, u = 2^-24: the distances at
 ///   which a slab is entered and left are off by 4 u of themselves at most, their ratio by less
@@ -40,13 +40,13 @@ public:
       advance_ = std::max(0.0, nearest - 2.0 * boxes.radius / speed);
       o += advance_ * ray.direction;
     }
-    const double way = (glm::length(o) + 2.0 * boxes.radius) / speed;
+    const double duration = (glm::length(o) + 2.0 * boxes.radius) / speed;
     const double moved = std::ldexp(boxes.radius, -22);
-    const double margin = 4.0 * ray.shift_at(advance_ + way, mesh.size()) + moved;
+    const double margin = 4.0 * ray.shift_at(advance_ + duration, mesh.size()) + moved;
     for (int i = 0; i < 3; ++i) {
       const auto a = static_cast<std::size_t>(i);
       const bool forwards = ray.direction[i] >= 0.0;
-      const double d = std::max(std::abs(ray.direction[i]), moved / way);
+      const double d = std::max(std::abs(ray.direction[i]), moved / duration);
       per_axis_[a] = static_cast<float>(1.0 / (forwards ? d : -d));
       const float low = -rounded_up(margin - o[i]), high = rounded_up(o[i] + margin);
       enter_from_[a] = forwards ? high : low;
@@ -74,7 +74,7 @@ public:
     return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(first, last, _CMP_LE_OQ)));
   }
 
-  /// A distance that no box which holds a crossing at `t` is entered beyond.
+  /// A distance before which each box that holds a crossing at `t` is entered.
   [[nodiscard]] float entered_before(double t) const {
     return rounded_up(t - advance_) * (1.0f + 0x1p-20f);
   }
@@ -92,9 +92,9 @@ struct Lanes {
   unsigned crossed, outwards;
 };
 
-/// A line seen along itself: the largest part of its direction is the third axis, and the others
-/// are sheared so that it runs along that axis [WBW13]. A triangle's edge then
-/// passes the origin on one side or the other, the same for both triangles that share it.
+/// A line in a frame in which it runs along the third axis: the largest part of its direction is
+/// the third axis, and the others are sheared so that it runs along that axis [WBW13]. A triangle's
+/// edge then passes the origin on one side or the other, the same for both triangles that share it.
 class ShearedLine {
 public:
   explicit ShearedLine(const LocalRay& ray) {
@@ -119,7 +119,7 @@ public:
     const Corner a = seen(mesh, leaf, 0), b = seen(mesh, leaf, 1), c = seen(mesh, leaf, 2);
     const __m256d u = edge(b, c), v = edge(c, a), w = edge(a, b);
     const __m256d zero = _mm256_setzero_pd();
-    // The sign bit of some is set, and none of the others is greater than 0, or the other way.
+    // The line passes beside a triangle where one sign is negative and another one positive.
     const __m256d least = _mm256_min_pd(_mm256_min_pd(u, v), w);
     const __m256d most = _mm256_max_pd(_mm256_max_pd(u, v), w);
     const __m256d beside = _mm256_and_pd(_mm256_cmp_pd(least, zero, _CMP_LT_OQ),

@@ -36,7 +36,7 @@ struct MeshLeaf {
 
 /// Boxes within boxes around the triangles of a mesh. Node 0 is the root.
 struct MeshHierarchy {
-  /// No way down from the root is longer: SAH splits come first, then halves.
+  /// The most nodes from the root to a leaf: splits by the SAH come first, then halves.
   static constexpr int kMostSplits = 32, kDeepest = kMostSplits + 32;
 
   dvec3 centre{0.0};

@@ -5,9 +5,9 @@
 
 namespace abbe {
 
-/// A transform's way in, laid out for rays: one vector instruction works on all three coordinates.
-/// Operations and their order are those of Transform::inverse_point and its kin, and so are the
-/// bits.
+/// The map from the world into a shape's frame, laid out for rays: one vector instruction works on
+/// all three coordinates. The operations and their order are those of Transform::inverse_point and
+/// inverse_vector, so the results have the same bits.
 class Frame {
 public:
   explicit Frame(const Transform& to_outer)
@@ -19,13 +19,13 @@ public:
     }
   }
 
-  /// A ray seen from the frame, as by abbe::local_ray. Its bounds of error are worked out when
-  /// asked for: most rays miss. The frame and the ray must stay as long.
+  /// A ray seen from the frame, as by abbe::local_ray. Its bounds of error are computed only when
+  /// asked for, since most rays miss. The frame and the ray must outlive it.
   struct SeenRay {
     dvec3 origin, direction;
     const Frame* frame;
     const Ray* ray;
-    Wide wide_o, wide_d; ///< the same once more
+    Wide wide_o, wide_d; ///< `origin` and `direction` again, for vector instructions
 
     [[nodiscard]] dvec3 at(double t) const { return origin + t * direction; }
     [[nodiscard]] double shift_at(double t, double size) const {
@@ -33,8 +33,8 @@ public:
     }
     [[nodiscard]] LocalRay with_errors() const {
       return {origin, direction,
-              Transform::way_error(frame->inverse_norm_, ray->origin, 0.0, frame->image_size_),
-              Transform::way_error(frame->inverse_norm_, ray->direction, 0.0, 0.0)};
+              Transform::mapping_error(frame->inverse_norm_, ray->origin, 0.0, frame->image_size_),
+              Transform::mapping_error(frame->inverse_norm_, ray->direction, 0.0, 0.0)};
     }
     friend Wide wide_origin(const SeenRay& seen) { return seen.wide_o; }
     friend Wide wide_direction(const SeenRay& seen) { return seen.wide_d; }
@@ -61,7 +61,8 @@ private:
   double inverse_norm_, image_size_;
 };
 
-/// The way out, for points and normals: Transform::point and Transform::normal.
+/// The map from a shape's frame into the world, for points and normals. It gives the bits of
+/// Transform::point and Transform::normal.
 class Placement {
 public:
   explicit Placement(const Transform& to_outer) {

@@ -20,7 +20,7 @@ struct LocalRay {
 
   /// How far off its place a surface may seem that the line meets at `t`: the errors of the ray
   /// there, and those of the few sums in the surface's equation, whose terms are no larger than
-  /// the shape (`size`), the origin's distance and the way there together.
+  /// the shape (`size`), the origin's distance and the distance to the place together.
   [[nodiscard]] double shift_at(double t, double size) const {
     const auto sum = [](const dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
     const double reach = size + sum(origin) + std::abs(t) * sum(direction);

@@ -12,9 +12,9 @@ namespace abbe {
 /// Faces that have been crossed are not asked again until the ray has moved.
 class Passage {
 public:
-  /// Takes the ray behind what it has met. False where no way leads on: without having moved, the
-  /// ray has crossed faces again in the same sense, twice in turn. So every walk ends: the ray
-  /// moves, or the faces at its place are used up.
+  /// Moves the ray behind what it has met. Returns false where the ray cannot go on: without having
+  /// moved, it has crossed faces again in the same sense, twice in turn. So every walk ends, since
+  /// the ray moves or the faces at its place are used up.
   [[nodiscard]] bool go_through(const Hit& hit, RayState& state) {
     if (hit.moved) crossed_.clear();
     const SurfaceContact& shown = hit.other_side[0];

@@ -16,14 +16,15 @@ struct SurfaceContact {
 };
 
 /// All surfaces that meet at a ray's origin: one as a rule, more where solids touch. The first is
-/// the one that shows; its side is believed. The others' sides hold where the ray's direction does
-/// not contradict them: in a corner of two walls it crosses the second one at once.
+/// the one that shows, and its side always holds. The sides of the others hold unless the ray's
+/// direction contradicts them: a ray in a corner of two walls crosses the second one at once.
 using Contacts = ShortVector<SurfaceContact, 4>;
 
 /// The solids that contain a ray's origin, in the order in which they were entered.
 using Nesting = ShortVector<ShapeId, 8>;
 
-/// The record of a ray: what identity and side say, and no tolerance can.
+/// A ray, with the surfaces that its origin lies on and the solids that it is inside of. Solvers go
+/// by these identities, where a tolerance would guess.
 struct RayState {
   Ray ray; ///< in world coordinates; `direction` has unit length
   Contacts contacts;
@@ -40,10 +41,10 @@ struct Hit {
   dvec3 point{0.0};     ///< on the surface
   dvec3 normal{0.0};    ///< unit, outwards from the shape
   ShapeId shape;        ///< the shape that shows
-  FaceId face;          ///< and which part of it
+  FaceId face;          ///< the part of the shape that shows
   bool entering = true; ///< the ray runs against `normal`
-  bool moved = true;    ///< rounding can tell the place from where the ray began
-  MaterialId material;  ///< the finish of that part
+  bool moved = true;    ///< false: rounding cannot tell the point from the ray's origin
+  MaterialId material;  ///< the material of that part
   MediumId medium_before, medium_after;
   // A ray that leaves on the side it came from takes same_side and nesting_before (not the nesting
   // it came with: it may have passed boundaries that do not show); one that goes through takes

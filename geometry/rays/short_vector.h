@@ -74,13 +74,13 @@ private:
   /// a long one needs.
   [[nodiscard]] bool is_long() const { return size_ > Inline; }
 
-  /// Room on the heap for a list of so many values: up to the next power of two.
+  /// Memory on the heap for a list of so many values: up to the next power of two.
   [[nodiscard]] static T* room_for(std::size_t count) {
     return std::make_unique_for_overwrite<T[]>(std::bit_ceil(count)).release();
   }
   void release() { std::unique_ptr<T[]>(many_).reset(); }
 
-  // What long lists need is rare, so it stays out of the way.
+  // Long lists are rare, so their code is kept out of the callers.
   [[gnu::noinline]] void push_long(T value) {
     if (size_ == Inline || std::has_single_bit(size_)) { // the room is full
       T* const more = room_for(size_ + std::size_t{1});
@@ -107,7 +107,7 @@ private:
     size_ = other.size_;
   }
 
-  /// Holds nothing long before.
+  /// Copies into a list that is not long.
   void copy(const ShortVector& other) {
     if (other.is_long()) [[unlikely]]
       return copy_long(other);

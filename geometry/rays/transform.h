@@ -48,17 +48,17 @@ public:
   [[nodiscard]] dvec3 normal(const dvec3& n) const;
   /// Bound on the rounding error of inverse_point(p), given that of p. Row by row, x - offset and
   /// the products with the inverse (itself rounded once) round five times numbers that add up to
-  /// at most inverse_norm_ (|p| + |offset|). As much again, with the image of the unit cube in
-  /// place of p, is what point() loses on the way out.
+  /// at most inverse_norm_ (|p| + |offset|). The bound includes as much again, with the image of
+  /// the unit cube in place of p, for what point() loses afterwards.
   [[nodiscard]] double inverse_error(const dvec3& p, double p_error) const {
-    return way_error(inverse_norm_, p, p_error, image_size_);
+    return mapping_error(inverse_norm_, p, p_error, image_size_);
   }
   /// The same for inverse_vector(v).
   [[nodiscard]] double inverse_vector_error(const dvec3& v, double v_error) const {
-    return way_error(inverse_norm_, v, v_error, 0.0);
+    return mapping_error(inverse_norm_, v, v_error, 0.0);
   }
-  [[nodiscard]] static double way_error(double inverse_norm, const dvec3& v, double v_error,
-                                        double image_size) {
+  [[nodiscard]] static double mapping_error(double inverse_norm, const dvec3& v, double v_error,
+                                            double image_size) {
     return inverse_norm * (v_error + 8.0 * kRoundoff * (largest(v) + image_size));
   }
 

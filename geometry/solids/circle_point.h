@@ -54,7 +54,7 @@ using glm::dvec2;
 /// once.
 [[nodiscard]] inline double cosine_of_turns(double turns) {
   constexpr double kTurn = 6.28318530717958647693;
-  // cos(2 pi r) = sin(2 pi (1/4 - |r|)), r the way to the nearest whole turn
+  // cos(2 pi r) = sin(2 pi (1/4 - |r|)), r the difference from the nearest whole turn
   const double a = kTurn * (0.25 - std::abs(turns - std::floor(turns + 0.5)));
   const double a2 = a * a;
   double s = 1.0 / 51090942171709440000.0;

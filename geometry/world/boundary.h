@@ -20,7 +20,7 @@ using Coincident = ShortVector<Candidate, 8>;
 /// first. The content does not depend on the order in which candidates come.
 class NearestCandidates {
 public:
-  /// Keeps the candidate if it can belong to the nearest boundary. True when it was kept.
+  /// Keeps the candidate if it can belong to the nearest boundary. Returns whether it was kept.
   bool offer(ShapeId shape, const ShapeCrossing& crossing) {
     if (crossing.t - crossing.t_error > reach_) return false;
     reach_ = std::min(reach_, crossing.t + crossing.t_error);
@@ -51,8 +51,8 @@ private:
 
 /// What the ray meets at the nearest boundary, all coinciding crossings taken as one. A shape
 /// without a medium (opaque or flat) shows before any other; else the one whose medium prevails.
-/// Writes it to `hit`, whatever that held. False where nothing is to be seen: equal media on both
-/// sides.
+/// Writes it to `hit`, whatever that held. Returns false where nothing is to be seen, since the
+/// media on both sides are equal.
 [[nodiscard]] bool resolve(const ShapeTable& shapes, const RayState& state,
                            const Coincident& crossings, Hit& hit);
 

@@ -81,7 +81,7 @@ struct MeshAhead {
 };
 
 /// Where a ray starts at an edge, rounding may put its line beside the triangle through which it
-/// should go at once. Then the next crossing is of the other kind, or no way leads out. If the two
+/// should go at once. Then the next crossing is of the other kind, or there is no exit. If the two
 /// cannot be told apart, all crossings ahead decide.
 MeshAhead look_ahead(const Mesh& mesh, const LocalRay& ray, std::span<const std::int32_t> touched,
                      bool inside) {

@@ -11,7 +11,7 @@
 
 namespace abbe {
 
-/// Everything that can stand in a scene.
+/// Every kind of shape that a scene may hold.
 using Shape = std::variant<Sphere, Box, ConvexPolyhedron, TaperedCylinder, CsgTree, Mesh, Square,
                            Disc, Plane>;
 
@@ -19,7 +19,7 @@ using Shape = std::variant<Sphere, Box, ConvexPolyhedron, TaperedCylinder, CsgTr
 struct PlacedShape {
   Shape shape;
   Transform to_world;
-  MaterialId material; ///< the finish of its surface
+  MaterialId material; ///< of its surface
   MediumId medium;     ///< what fills it; invalid: nothing passes (opaque), or it has no inside
   int priority = 0;    ///< where solids overlap, the medium of the highest priority is there
 };
@@ -32,7 +32,7 @@ struct PlacedShape {
 [[nodiscard]] bool contains(const PlacedShape& placed, const dvec3& world_point);
 [[nodiscard]] Bounds bounds(const PlacedShape& placed);
 
-/// Shapes that are no tree have one leaf, number 0.
+// Shapes that are no tree have one leaf, number 0.
 template <class S>
   requires(!std::is_same_v<S, CsgTree>)
 [[nodiscard]] dvec3 outward_normal(const S& shape, const dvec3& point, FaceId face) {
@@ -51,7 +51,8 @@ struct ShapeCrossing {
   FaceId face;
   bool entering = false; ///< from outside to inside; of a flat shape: against its normal
 
-  /// One by one: assigned as a whole, a copy would wait for the values to reach the cache.
+  /// Sets the members one by one. A later copy of a struct that was assigned as a whole would wait
+  /// for its values to reach the cache.
   void set(double at, double error, FaceId on, bool enters) {
     t = at;
     t_error = error;
@@ -78,7 +79,7 @@ struct ShapeState {
 };
 
 // Finds the next crossing, see `next_crossing`, unless it lies at `farthest` or beyond. For the
-// innermost loops: the result is written to the caller's place.
+// innermost loops: the result is written into the caller's variable.
 template <FlatShape S>
 [[nodiscard]] bool find_next(const S& shape, const RayInFrame auto& ray, const ShapeState& state,
                              double farthest, ShapeCrossing& next) {
@@ -131,10 +132,10 @@ template <ConvexSolid S>
   return true;
 }
 
-// The next crossing of one shape, t >= 0. A ray known to be inside always finds a way out: where
-// rounding leaves none, it is at t = 0 through the nearest face. A ray known to be outside only
-// enters; a mesh at t = 0 where its crossings ahead show that rounding has let the ray slip in. The
-// root of the touched face is never computed.
+// The next crossing of one shape, t >= 0. A ray known to be inside always finds an exit: where
+// rounding leaves none, the exit is at t = 0 through the nearest face. A ray known to be outside
+// only enters; a mesh at t = 0 where its crossings ahead show that rounding has let the ray slip
+// in. The root of the touched face is never computed.
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& ray,
                                                          const ShapeState& state);
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const Mesh& mesh, const LocalRay& ray,

@@ -7,7 +7,7 @@
 
 namespace abbe {
 
-/// What boundaries must know of a scene's shapes, worked out once: small rows in place of the
+/// What boundaries must know of a scene's shapes, computed once: small rows in place of the
 /// shapes themselves, and the normals of plane faces. The shapes must stay where they are.
 class ShapeTable {
 public:

@@ -77,7 +77,7 @@ constexpr std::size_t kWidest = 16;
 /// Traces the first `count` of the query's rays. The mask alone does not keep the other lanes out:
 /// Embree ignores it where it has to trace a packet in narrower pieces, since the processor (or the
 /// device's configuration) has no registers of that width. An interval that ends before it begins
-/// does, and so no callback asks for the state of a ray that is not there.
+/// keeps them out, so no callback asks for the state of a ray that is not there.
 template <class Packet, std::size_t Width>
 void trace_packet(RTCScene scene, Query& query, std::size_t count) {
   constexpr float kNowhere = -1.0f;
@@ -193,7 +193,7 @@ void World::Impl::find_visible(const RayState& start, const NearestCandidates& n
 }
 
 /// Goes on behind `hit`, which does not show, to the first boundary that does, or to one behind
-/// which no way leads on.
+/// which the ray cannot go on.
 void World::Impl::go_on_behind(const RayState& start, double distance, Passage& passage,
                                Hit& hit) const {
   RayState state = start;
@@ -256,7 +256,7 @@ void World::find_closest(std::span<const RayState> states, std::span<Hit> hits,
 
 bool World::occluded(const RayState& state, double distance) const {
   Query query = impl_->query_for(&state, nullptr, distance);
-  // Outside all glass the first glass on the way shows for certain. Inside, boundaries between
+  // Outside all glass the first glass along the ray shows for certain. Inside, boundaries between
   // equal media may come first.
   query.glass_may_hide = medium_of(state.nesting).valid();
   RTCRay ray;

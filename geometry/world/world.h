@@ -21,7 +21,7 @@ enum class Tracing : std::uint8_t { single, packets };
 class World {
 public:
   /// `farthest_coordinate` is the largest magnitude of a coordinate from which rays start outside
-  /// the shapes (cameras, lamps); bounds are padded for it. `embree_config` is what rtcNewDevice
+  /// the shapes (cameras, lights); bounds are padded for it. `embree_config` is what rtcNewDevice
   /// takes, such as "isa=sse4.2" for a narrow instruction set; null for Embree's own choice. Throws
   /// std::runtime_error when Embree fails.
   World(const std::vector<PlacedShape>& shapes, double farthest_coordinate,
@@ -33,17 +33,17 @@ public:
   /// The first visible boundary along the ray. Boundaries between equal media, and those hidden
   /// inside a solid of higher priority, are passed.
   [[nodiscard]] std::optional<Hit> closest(const RayState& state) const;
-  /// The same, written where it stays: a copy would cost a good part of the query.
+  /// The same, written into the caller's hit: a copy would cost a good part of the query.
   void find_closest(const RayState& state, Hit& hit) const;
-  /// The same of boundaries that are surely nearer than `distance`, for a ray that is followed
-  /// straight on. One that rounding cannot tell from the end of the way does not count, as for
-  /// `occluded`.
+  /// The same for boundaries that are surely nearer than `distance`, for a ray that is followed
+  /// straight on. One that rounding cannot tell from the end of that distance does not count, as
+  /// for `occluded`.
   void find_closest(const RayState& state, double distance, Passage& passage, Hit& hit) const;
   /// The same for rays that run close together; `hits` has the length of `states`.
   void find_closest(std::span<const RayState> states, std::span<Hit> hits, Tracing tracing) const;
 
   /// True when a visible boundary (see `closest`) lies between the origin and `distance` along the
-  /// ray. One that rounding cannot tell from the end does not count: a lamp may lie on a surface.
+  /// ray. One that rounding cannot tell from the end does not count: a light may lie on a surface.
   [[nodiscard]] bool occluded(const RayState& state, double distance) const;
 
   // For measurements: the bare query with the callbacks above, and nothing made of what they find.
@@ -52,10 +52,10 @@ public:
   [[nodiscard]] std::size_t replay_occluded(std::span<const RayState> states,
                                             std::span<const double> distances) const;
 
-  /// The solids around a point; slow (asks each), for cameras and lamps.
+  /// The solids around a point; slow (it asks each shape), for cameras and lights.
   [[nodiscard]] Nesting nesting_at(const dvec3& point) const;
   /// The medium at a place inside these solids: that of the highest priority, among equals of
-  /// the shape defined last. Invalid: no solid with a medium.
+  /// the shape defined last. Invalid where no solid has a medium.
   [[nodiscard]] MediumId medium_of(const Nesting& nesting) const;
 
   [[nodiscard]] const std::vector<PlacedShape>& shapes() const;

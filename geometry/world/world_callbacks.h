@@ -14,7 +14,7 @@
 
 namespace abbe {
 
-/// What a callback needs of a shape, close together.
+/// What a callback needs of a shape, close together in memory.
 struct Primitive {
   Primitive(const PlacedShape& shape, ShapeId number)
       : frame(shape.to_world), placed(&shape), id(number), glass(shape.medium.valid()) {}
@@ -30,11 +30,11 @@ struct ShapeGroup {
   std::vector<Primitive> primitives; ///< by Embree's number
   double padding = 0.0;              ///< what bounds grow by, for the float error of Embree's rays
 };
-/// By the type's place in Shape.
+/// One group for each type of Shape, in the order of the variant.
 using ShapeGroups = std::array<ShapeGroup, std::variant_size_v<Shape>>;
 
-/// What the callbacks know of the rays under way: passed through Embree's context, which must
-/// come first. A ray's number in `states` and `found` is its Embree id.
+/// What the callbacks know of the rays that are traced. It is passed through Embree's context,
+/// which must be the first member. A ray's number in `states` and `found` is its Embree id.
 struct Query {
   embree::Context context;
   const RayState* states = nullptr;
@@ -50,7 +50,7 @@ struct Query {
 [[nodiscard]] inline float rounded_up(double value) {
   const float near = static_cast<float>(value);
   if (near == std::numeric_limits<float>::infinity()) return near;
-  // The next float of a positive one has the next bits; nextafter is a call.
+  // The bits of the next float are the next integer; nextafter would be a function call.
   return near > 0.0f ? std::bit_cast<float>(std::bit_cast<std::uint32_t>(near) + 1)
                      : std::nextafter(near, std::numeric_limits<float>::infinity());
 }

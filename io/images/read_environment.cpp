@@ -1,4 +1,4 @@
-// What surrounds a scene, as an OpenEXR picture of all directions:
+// What surrounds a scene, as an OpenEXR image of all directions:
 //
 //   environment sky.exr
 //   environment sky.exr D65 0.5
@@ -23,35 +23,35 @@ Environment read_environment(const Token& name, const Warn& warn) {
   std::error_code error;
   if (!std::filesystem::exists(file, error))
     throw ReadError(name.where, fmt::format("there is no file \"{}\"", file.string()),
-                    "pictures are found relative to the file that names them",
+                    "images are found relative to the file that names them",
                     "Check the name, or write the whole path");
-  ExrPicture picture;
+  ExrImage image;
   try {
-    picture = read_exr_picture(file);
+    image = read_exr_image(file);
   } catch (const std::exception& fault) {
     throw ReadError(name.where, fmt::format("\"{}\" cannot be read", file.string()), fault.what(),
-                    "Write the picture again, as OpenEXR");
+                    "Write the image again, as OpenEXR");
   }
-  if (!picture.unknown_tag.empty())
+  if (!image.unknown_tag.empty())
     warn(
         fmt::format("{}: \"{}\" is tagged as \"{}\", which is not known; it is read as linear sRGB",
-                    to_string(name.where), file.string(), picture.unknown_tag));
+                    to_string(name.where), file.string(), image.unknown_tag));
   bool negative = false;
-  for (std::size_t i = 0; i < picture.rgb.size(); ++i) {
-    negative = negative || picture.rgb[i] < 0.0f;
-    if (std::isfinite(picture.rgb[i])) continue;
-    const std::size_t pixel = i / 3, width = static_cast<std::size_t>(picture.width);
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+    negative = negative || image.rgb[i] < 0.0f;
+    if (std::isfinite(image.rgb[i])) continue;
+    const std::size_t pixel = i / 3, width = static_cast<std::size_t>(image.width);
     throw ReadError(name.where, fmt::format("\"{}\" has a pixel that is no number", file.string()),
                     fmt::format("the one in column {}, row {}", pixel % width, pixel / width),
-                    "Mend the picture");
+                    "Mend the image");
   }
   if (negative)
     warn(fmt::format("{}: \"{}\" has negative components, which count as 0", to_string(name.where),
                      file.string()));
   Environment environment;
-  environment.width = picture.width;
-  environment.height = picture.height;
-  environment.rgb = std::move(picture.rgb);
+  environment.width = image.width;
+  environment.height = image.height;
+  environment.rgb = std::move(image.rgb);
   return environment;
 }
 

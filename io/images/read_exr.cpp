@@ -99,7 +99,7 @@ std::vector<const char*> color_channels(const Imf::ChannelList& channels) {
 
 } // namespace
 
-ExrPicture read_exr_picture(const std::filesystem::path& path) {
+ExrImage read_exr_image(const std::filesystem::path& path) {
   require_regular_file(path);
   constexpr int kMostPixels = 65536;
   Imf::Header::setMaxImageSize(kMostPixels, kMostPixels); // OpenEXR has a table of all rows
@@ -112,22 +112,22 @@ ExrPicture read_exr_picture(const std::filesystem::path& path) {
   constexpr std::size_t kPixel = 3 * sizeof(float);
   require_image_memory(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height),
                        kPixel);
-  ExrPicture picture{static_cast<int>(width), static_cast<int>(height), {}, {}};
-  picture.rgb.resize(3 * static_cast<std::size_t>(width * height));
+  ExrImage image{static_cast<int>(width), static_cast<int>(height), {}, {}};
+  image.rgb.resize(3 * static_cast<std::size_t>(width * height));
   Imf::FrameBuffer frame;
   for (std::size_t i = 0; i < channels.size(); ++i)
-    frame.insert(channels[i], Imf::Slice::Make(Imf::FLOAT, picture.rgb.data() + i, window, kPixel,
+    frame.insert(channels[i], Imf::Slice::Make(Imf::FLOAT, image.rgb.data() + i, window, kPixel,
                                                kPixel * static_cast<std::size_t>(width)));
   file.setFrameBuffer(frame);
   file.readPixels(window.min.y, window.max.y);
   if (channels.size() == 1) {
-    for (std::size_t i = 0; i < picture.rgb.size(); i += 3)
-      picture.rgb[i + 1] = picture.rgb[i + 2] = picture.rgb[i];
-    return picture;
+    for (std::size_t i = 0; i < image.rgb.size(); i += 3)
+      image.rgb[i + 1] = image.rgb[i + 2] = image.rgb[i];
+    return image;
   }
-  const std::optional<Space> space = tagged_space(header, picture.unknown_tag);
-  if (space && !is_rec709(*space)) take_to_rec709(picture.rgb, *space);
-  return picture;
+  const std::optional<Space> space = tagged_space(header, image.unknown_tag);
+  if (space && !is_rec709(*space)) take_to_rec709(image.rgb, *space);
+  return image;
 }
 
 } // namespace abbe

@@ -70,9 +70,9 @@ ReflectanceImage read_image(const Token& name, const Warn& warn) {
     if (png) {
       image = read_png(file);
     } else {
-      ExrPicture picture = read_exr_picture(file);
-      unknown_tag = std::move(picture.unknown_tag);
-      image = {picture.width, picture.height, std::move(picture.rgb)};
+      ExrImage exr = read_exr_image(file);
+      unknown_tag = std::move(exr.unknown_tag);
+      image = {exr.width, exr.height, std::move(exr.rgb)};
     }
   } catch (const std::exception& fault) {
     throw ReadError(name.where, fmt::format("\"{}\" cannot be read", file.string()), fault.what(),

@@ -99,7 +99,7 @@ private:
   int before_ = Imf::globalThreadCount();
 };
 
-/// Rows of a picture that go to a file together.
+/// Rows of an image that go to a file together.
 struct RowBlock {
   Imf::FrameBuffer frame;
   int rows;
@@ -107,7 +107,7 @@ struct RowBlock {
 
 /// Our own stream: OpenEXR's writes its last bytes in a destructor, which hides a full disk.
 /// `target` is the name in OpenEXR's messages, `temporary` the file. `channels_of` is asked for the
-/// picture's rows from the top, `rows` at a time; when it is asked first, it completes the header.
+/// image's rows from the top, `rows` at a time; when it is asked first, it completes the header.
 template <class ChannelsOf>
 void save(const std::filesystem::path& target, const std::filesystem::path& temporary,
           const Imf::Header& header, const PixelWindow& data, int rows,

@@ -16,7 +16,7 @@ namespace {
 /// One row of the table of writers.
 struct OutputFormat {
   std::string_view extension; ///< lower case, with its dot
-  bool scene_linear;          ///< which of the two pictures it takes
+  bool scene_linear;          ///< which of the two images it takes
   std::string (*write)(const std::filesystem::path&, const SceneLinearImage&, const DisplayImage&,
                        const OutputOptions&);
 };

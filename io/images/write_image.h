@@ -20,14 +20,14 @@ struct OutputOptions {
 /// True when `write_image` has a writer for the extension of the path, whatever its case.
 [[nodiscard]] bool is_known_image_extension(const std::filesystem::path& path);
 
-/// True when `write_image` writes the scene-linear picture under this extension, and needs no
+/// True when `write_image` writes the scene-linear image under this extension, and needs no
 /// other.
 [[nodiscard]] bool is_scene_linear_extension(const std::filesystem::path& path);
 
 /// ".exr, .tif, .tiff or .png", for messages and help.
 [[nodiscard]] std::string known_image_extensions();
 
-/// Writes the picture in the format that the extension of the path names: the scene-linear one as
+/// Writes the image in the format that the extension of the path names: the scene-linear one as
 /// EXR, the one for a screen as TIFF or PNG. The file appears under its name when it is complete.
 /// Returns what the user should know of it, which is mostly nothing.
 /// Errors: `std::runtime_error` for an unknown extension (it lists the known ones) and for all that

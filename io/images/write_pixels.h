@@ -11,18 +11,18 @@
 
 namespace abbe {
 
-/// Errors: `std::runtime_error` for a picture without pixels. A buffer of another size than
+/// Errors: `std::runtime_error` for an image without pixels. A buffer of another size than
 /// `data` times `channels` is a broken contract.
 inline void require_pixels(const PixelWindow& display, const PixelWindow& data,
                            [[maybe_unused]] std::size_t value_count,
                            [[maybe_unused]] std::size_t channels) {
   if (display.width() <= 0 || display.height() <= 0 || data.width() <= 0 || data.height() <= 0)
-    throw std::runtime_error("the picture has no pixels");
+    throw std::runtime_error("the image has no pixels");
   assert(value_count == data.pixel_count() * channels);
 }
 
 /// The nearest of the integers 0 ... max of `Code` for each value in [0, 1], ties upwards, without
-/// dithering. Values outside are clamped; NaN gives 0. A picture's rows are coded one by one, as
+/// dithering. Values outside are clamped; NaN gives 0. An image's rows are coded one by one, as
 /// they are written.
 template <class Code>
 void code_values(std::span<const float> values, Code* codes) {

@@ -62,7 +62,7 @@ public:
 };
 
 /// All that libpng needs, made ready beforehand.
-struct PngPicture {
+struct PngContent {
   PixelWindow display, data;
   int bits;
   const float* values; ///< interleaved R, G, B, row by row
@@ -93,29 +93,29 @@ std::vector<png_text> text_entries(const Metadata& metadata) {
 
 /// False when libpng reports an error. It does so by `longjmp` back into this function, so nothing
 /// in here may have a destructor.
-bool encode(png_structp png, png_infop info, std::FILE* file, const PngPicture& picture) {
+bool encode(png_structp png, png_infop info, std::FILE* file, const PngContent& content) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
-  const auto width = static_cast<png_uint_32>(picture.data.width());
-  const auto height = static_cast<png_uint_32>(picture.data.height());
+  const auto width = static_cast<png_uint_32>(content.data.width());
+  const auto height = static_cast<png_uint_32>(content.data.height());
   png_init_io(png, file);
-  png_set_IHDR(png, info, width, height, picture.bits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+  png_set_IHDR(png, info, width, height, content.bits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  if (picture.profile.empty())
+  if (content.profile.empty())
     png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
   else
-    png_set_iCCP(png, info, picture.profile_name.c_str(), PNG_COMPRESSION_TYPE_BASE,
-                 reinterpret_cast<png_const_bytep>(picture.profile.data()),
-                 static_cast<png_uint_32>(picture.profile.size()));
-  if (picture.data != picture.display)
-    png_set_oFFs(png, info, picture.data.x0 - picture.display.x0,
-                 picture.data.y0 - picture.display.y0, PNG_OFFSET_PIXEL);
-  png_set_text(png, info, picture.texts.data(), static_cast<int>(picture.texts.size()));
+    png_set_iCCP(png, info, content.profile_name.c_str(), PNG_COMPRESSION_TYPE_BASE,
+                 reinterpret_cast<png_const_bytep>(content.profile.data()),
+                 static_cast<png_uint_32>(content.profile.size()));
+  if (content.data != content.display)
+    png_set_oFFs(png, info, content.data.x0 - content.display.x0,
+                 content.data.y0 - content.display.y0, PNG_OFFSET_PIXEL);
+  png_set_text(png, info, content.texts.data(), static_cast<int>(content.texts.size()));
   png_write_info(png, info);
-  if (picture.bits == 16 && std::endian::native == std::endian::little) png_set_swap(png);
+  if (content.bits == 16 && std::endian::native == std::endian::little) png_set_swap(png);
   const std::size_t row_values = std::size_t{width} * 3;
   for (std::size_t y = 0; y < height; ++y) {
-    picture.encode({picture.values + y * row_values, row_values}, picture.row);
-    png_write_row(png, picture.row);
+    content.encode({content.values + y * row_values, row_values}, content.row);
+    png_write_row(png, content.row);
   }
   png_write_end(png, nullptr);
   return true;
@@ -124,7 +124,7 @@ bool encode(png_structp png, png_infop info, std::FILE* file, const PngPicture& 
 template <class Code>
 void save(const std::filesystem::path& path, const DisplayImage& image) {
   std::vector<Code> row(3 * static_cast<std::size_t>(image.data.width()));
-  const PngPicture picture{image.display,
+  const PngContent content{image.display,
                            image.data,
                            8 * sizeof(Code),
                            image.encoded.data(),
@@ -140,7 +140,7 @@ void save(const std::filesystem::path& path, const DisplayImage& image) {
   if (!file) throw std::system_error(errno, std::generic_category());
   PngError error;
   const PngHandles handles(error);
-  if (!encode(handles.png, handles.info, file.get(), picture))
+  if (!encode(handles.png, handles.info, file.get(), content))
     throw std::runtime_error(error.text.data());
   if (std::fclose(file.release()) != 0) throw std::system_error(errno, std::generic_category());
 }

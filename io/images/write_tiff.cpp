@@ -53,7 +53,7 @@ static int ignore_warning(TIFF*, void*, const char*, const char*, va_list) {
 /// A row of values in the form in which it goes to the file.
 using Encode = void (*)(std::span<const float> values, std::byte* row);
 
-/// How a picture goes to the file.
+/// How an image goes to the file.
 struct Samples {
   std::uint16_t bits;
   std::uint16_t sample_format;

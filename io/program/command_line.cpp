@@ -65,8 +65,7 @@ void add_settings(CLI::App& app, std::span<const Row> table, std::vector<GivenSe
     };
     const std::string option(row.option), help = help_of(row, defaults);
     if (row.flag)
-      app.add_flag_callback(
-          option, [give] { give("on"); }, help);
+      app.add_flag_callback(option, [give] { give("on"); }, help);
     else
       app.add_option_function<std::string>(option, give, help)->type_name(type_of(row));
   }

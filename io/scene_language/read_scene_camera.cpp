@@ -12,7 +12,7 @@
 namespace abbe {
 namespace {
 
-template <dvec3 Camera::*member>
+template <dvec3 Camera::* member>
 void read_camera(SceneState& state, Arguments& arguments) {
   state.scene.camera.*member = arguments.vector();
   state.camera_at = arguments.keyword().where;

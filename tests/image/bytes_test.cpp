@@ -61,7 +61,7 @@ TEST_CASE("what the plan skips changes no byte") {
       scene.settings.skip = false;
       CHECK(picture(scene) == skipped);
     }
-    // Filter 2a is dark below 410 and above 700 nm, half of the picture is empty.
+    // Filter 2a is dark below 410 and above 700 nm, half of the image is empty.
     Scene scene = test::scene_from("lights " ABBE_SOURCE_DIR "/scenes/lights.filter\n"
                                    "imageSize 48 48 samples 4 eye 0 0 9 fieldOfView 40\n"
                                    "light 2a 3 4 5 1 glass SF11 push translate 1 0 0 sphere pop\n"
@@ -131,7 +131,7 @@ TEST_CASE("the same seed makes the same bytes, another seed others") {
   CHECK_FALSE(picture(scene) == first);
 }
 
-TEST_CASE("a crop shows the bytes of its part of the whole picture") {
+TEST_CASE("a crop shows the bytes of its part of the whole image") {
   Scene scene = small("prism_view");
   const Picture whole = picture(scene);
   scene.settings.crop = PixelWindow{8, 3, 29, 31};
@@ -196,7 +196,7 @@ TEST_CASE("a scene scaled by a power of two makes the same bytes") {
   CHECK(picture(test::scene_from(scaled_scene(0.015625))) == original);
 }
 
-TEST_CASE("a scene scaled by 1e4 or 1e-4 makes the same picture within noise") {
+TEST_CASE("a scene scaled by 1e4 or 1e-4 makes the same image within noise") {
   const auto mean = [](const Picture& p) {
     double sum = 0.0;
     for (const float v : p.rgba)

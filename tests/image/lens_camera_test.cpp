@@ -71,7 +71,7 @@ TEST_CASE("a singlet fringes an edge with colour, an achromat does not") {
   CHECK(blue > 2.0 * yellow);
 }
 
-TEST_CASE("bands that share rays, and roulette, give the picture of every band by itself") {
+TEST_CASE("bands that share rays, and roulette, give the image of every band by itself") {
   const std::string text = kSinglet + "imageSize 16 16 filmHeight 0.8 samples 64 " + kEdge;
   const Rendering shared = rendered(text), exact = rendered(text + "exact on");
   CHECK(shared.rays.camera < exact.rays.camera / 5);
@@ -87,7 +87,7 @@ TEST_CASE("bands that share rays, and roulette, give the picture of every band b
   }
 }
 
-TEST_CASE("threads do not change a picture through a lens") {
+TEST_CASE("threads do not change an image through a lens") {
   const std::string text = kSinglet + "samples 5 " + kEdge;
   Scene scene = test::scene_from(text);
   scene.settings.threads = 1;

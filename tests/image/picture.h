@@ -10,7 +10,7 @@
 
 namespace abbe::test {
 
-/// A picture as its pixels, in colour and in all bands, to be compared as bits.
+/// An image as its pixels, in colour and in all bands, to be compared as bits.
 struct Picture {
   std::vector<float> rgba, bands;
   friend bool operator==(const Picture&, const Picture&) = default;

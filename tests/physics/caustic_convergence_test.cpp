@@ -92,7 +92,7 @@ TEST_CASE("caustics from the photon map come close to those of splats with more 
   scene.camera.kind = ThinLens{1e-6};
   scene.settings.light_paths = 16.0; // 2^14 a pass
   struct Distance {
-    double total, pixels; ///< of the mean; root mean square of single pictures' pixels
+    double total, pixels; ///< of the mean; root mean square of single images' pixels
   };
   const auto distance = [&](int passes, int seeds) {
     scene.settings.samples_per_pixel = 16 * passes;

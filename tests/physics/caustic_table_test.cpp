@@ -12,10 +12,10 @@ using namespace abbe;
 namespace {
 
 struct Errors {
-  double rms, noise, bias, total; ///< of the mean luminance; the first three of a picture's pixels
+  double rms, noise, bias, total; ///< of the mean luminance; the first three of an image's pixels
 };
 
-/// Against a picture whose own noise is small; what it has is taken off.
+/// Against an image whose own noise is small; what it has is taken off.
 Errors errors(const test::SeedStatistics& picture, const test::SeedStatistics& reference,
               int seeds) {
   double noise2 = 0.0, bias2 = 0.0;

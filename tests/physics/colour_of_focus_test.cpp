@@ -59,11 +59,11 @@ std::array<double, 81> smallest_spots(const Lens& lens, const std::string& glass
     if (photon.direction.z < 0.5) continue;
     const glm::dvec2 slope = glm::dvec2(photon.direction) / photon.direction.z;
     const glm::dvec2 on_axis_plane = glm::dvec2(photon.position) - slope * photon.position.z;
-    for (int b = photon.first; b < photon.last; ++b) {
+    for (int b = photon.bands.first; b < photon.bands.last; ++b) {
       const auto i = static_cast<std::size_t>(b);
       // Light thrown back inside the lens lands on other places; it is fainter.
-      const auto w =
-          static_cast<double>(batch.flux[photon.flux + static_cast<std::size_t>(b - photon.first)]);
+      const auto w = static_cast<double>(
+          batch.flux[photon.flux + static_cast<std::size_t>(b - photon.bands.first)]);
       if (glm::length(slope) > 2.0 * kHeight / lens.r1) continue;
       across[i] -= w * glm::dot(on_axis_plane, slope);
       slopes[i] += w * glm::dot(slope, slope);

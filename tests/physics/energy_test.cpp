@@ -18,7 +18,7 @@ struct Parts {
 
 Incidence between(const Indices& before, const Indices& after, double cosine) {
   Incidence in;
-  in.last = kBands;
+  in.bands.last = kBands;
   in.n_before = before.data();
   in.n_after = after.data();
   in.wo = {std::sqrt(1.0 - cosine * cosine), 0.0, cosine};

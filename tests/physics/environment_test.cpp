@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// A picture whose pixels depend on their row and column.
+/// An image whose pixels depend on their row and column.
 Environment picture(int width, int height, const std::function<LinearRgb(int, int)>& color) {
   Environment e;
   e.width = width;
@@ -29,7 +29,7 @@ Environment picture(int width, int height, const std::function<LinearRgb(int, in
   return e;
 }
 
-/// The middle of the picture; the camera looks from (0, 0, 5) at the origin.
+/// The middle of the image; the camera looks from (0, 0, 5) at the origin.
 Xyz seen(const std::string& text, const std::optional<Environment>& environment, int samples) {
   Scene scene = test::scene_from("filter box fieldOfView 0.0001 imageSize 1 1 samples " +
                                  std::to_string(samples) + "\n" + text);
@@ -49,7 +49,7 @@ const std::string kWhite = "ambient 0 0 0 diffuse 1 1 1 ";
 
 TEST_CASE("an environment of one colour is the background of this colour") {
   const auto constant = picture(16, 8, [](int, int) { return LinearRgb{0.5, 2.0, 0.25}; });
-  // The picture's curve is read at the bands' middles, as materials are; the background is not.
+  // The image's curve is read at the bands' middles, as materials are; the background is not.
   for (const auto& [bands, epsilon] :
        {std::pair("bands 81 ", 1e-3), std::pair("bands 27 ", 1.2e-2)})
     for (const std::string scene :
@@ -63,7 +63,7 @@ TEST_CASE("an environment of one colour is the background of this colour") {
 }
 
 // A white hemisphere above lights a surface tilted by b with pi (1 + cos b) / 2, one below with
-// pi (1 - cos b) / 2. Between the rows at the horizon the picture is a ramp, which changes this by
+// pi (1 - cos b) / 2. Between the rows at the horizon the image is a ramp, which changes this by
 // second order in its width.
 TEST_CASE("half a sky lights a tilted surface by its closed form") {
   const auto sky = picture(128, 64, [](int, int y) {
@@ -79,14 +79,14 @@ TEST_CASE("half a sky lights a tilted surface by its closed form") {
   }
 }
 
-// The same light by a picture with one bright pixel, once aimed at and once found by chance: a
+// The same light by an image with one bright pixel, once aimed at and once found by chance: a
 // rough mirror's directions find it, and so does the other way.
 TEST_CASE("a small bright spot is as bright whether it is aimed at or met") {
   const auto spot = picture(64, 32, [](int x, int y) {
     const double v = x == 20 && y == 8 ? 100.0 : 0.0; // elevation 48 degrees
     return LinearRgb{v, v, v};
   });
-  // The pixel's bilinear tent has the solid angle of a pixel; its direction by the picture's rule.
+  // The pixel's bilinear tent has the solid angle of a pixel; its direction by the image's rule.
   const double row = 8.5 / 32.0 * std::numbers::pi,
                turn = (20.5 / 64.0 - 0.5) * 2.0 * std::numbers::pi;
   const dvec3 to_spot{std::sin(row) * std::sin(turn), std::cos(row),
@@ -100,7 +100,7 @@ TEST_CASE("a small bright spot is as bright whether it is aimed at or met") {
             .y == Approx(expected).epsilon(1e-2));
 }
 
-TEST_CASE("one spectrum for all of a picture keeps its luminance") {
+TEST_CASE("one spectrum for all of an image keeps its luminance") {
   auto sky = picture(8, 4, [](int, int) { return LinearRgb{0.1, 0.7, 0.3}; });
   sky.has_colors = false;
   sky.light = *find_illuminant("A");

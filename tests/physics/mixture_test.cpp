@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSide = 8, kSamples = 64, kCount = kSide * kSide * kSamples;
 
-/// The mean over a picture filled by a square whose parts are seen as 0.8 and 0, or others.
+/// The mean over an image filled by a square whose parts are seen as 0.8 and 0, or others.
 double mean(const std::string& integrator, const std::string& materials) {
   const std::string light =
       integrator == "path" ? "background E 1 " : "shadows none light E 0 0 1 0 ";

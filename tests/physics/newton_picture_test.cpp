@@ -35,7 +35,7 @@ Rendering wall_seen_straight_on() {
 
 } // namespace
 
-TEST_CASE("Newton's spectrum in the picture: place, flux and colour of all bands") {
+TEST_CASE("Newton's spectrum in the image: place, flux and colour of all bands") {
   const Rendering r = wall_seen_straight_on();
   const std::vector<Xyz> weights = band_weights(BandGrid(81), Curve::constant(1.0));
   // Radiance of a diffuse wall to irradiance, and that to flux of a pixel's area.

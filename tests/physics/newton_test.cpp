@@ -37,11 +37,11 @@ TEST_CASE("each band of Newton's spectrum lands where Snell sends it, with what 
         test::newton_arrival(refractive_index(find_glass("SF11")->dispersion, nm));
     double flux = 0.0, moment = 0.0;
     for (const Photon& photon : batch.photons) {
-      if (b < photon.first || b >= photon.last) continue;
+      if (b < photon.bands.first || b >= photon.bands.last) continue;
       if (std::abs(photon.position.x - test::kNewtonWall) > 1e-9) continue;
       if (std::abs(photon.position.y - arrival.y) > 0.03) continue;
-      const auto value =
-          static_cast<double>(batch.flux[photon.flux + static_cast<std::size_t>(b - photon.first)]);
+      const auto value = static_cast<double>(
+          batch.flux[photon.flux + static_cast<std::size_t>(b - photon.bands.first)]);
       flux += value;
       moment += value * photon.position.y;
     }

@@ -55,7 +55,7 @@ int band_at(double nm) {
 } // namespace
 
 // Descartes: 42.36 and 50.39 degrees for red water, n = 1.3311; 40.58 and 53.61 for violet, 1.3435.
-TEST_CASE("bows of a forced index stand in the picture where Descartes has them") {
+TEST_CASE("bows of a forced index stand in the image where Descartes has them") {
   const Film red = column("drops 1e-6 dropSun 0 dropIndex 1.3311");
   const Film violet = column("drops 1e-6 dropSun 0 dropIndex 1.3435");
   for (const int band : {0, 40, 80}) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// Luminance in the middle of the picture; the camera looks down from (0, 0, 5) at the origin.
+/// Luminance in the middle of the image; the camera looks down from (0, 0, 5) at the origin.
 double seen(const std::string& text, int samples = 1024) {
   const Scene scene = test::scene_from("filter box fieldOfView 0.0001 imageSize 1 1 samples " +
                                        std::to_string(samples) + "\n" + text);
@@ -80,7 +80,7 @@ TEST_CASE("a sun makes soft shadows with paths, and hard ones with whitted") {
   CHECK(seen("integrator whitted " + kWhite + moved) == Approx(1.0).epsilon(1e-6));
 }
 
-TEST_CASE("a picture that shows the sun does not overflow") {
+TEST_CASE("an image that shows the sun does not overflow") {
   const Rendering r = test::render_scene(
       test::scene_from("imageSize 2 2 samples 4096 fieldOfView 0.01 intensity 1000 sun 0 0 -1 E"),
       false);

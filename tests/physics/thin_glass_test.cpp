@@ -1,4 +1,4 @@
-// Panes of thin glass in pictures: what lies behind one is dimmed by what the pane lets through,
+// Panes of thin glass in images: what lies behind one is dimmed by what the pane lets through,
 // however its light is found.
 
 #include "core/integrators/light_paths.h"

@@ -52,12 +52,12 @@ TEST_CASE("a curve that rises again counts from its last miss") {
 }
 
 TEST_CASE("the median of repeats is the middle one, or between the middle two") {
-  CHECK(spread({3.0, 1.0, 2.0}).median == 2.0);
-  CHECK(spread({4.0, 1.0, 2.0, 3.0}).median == 2.5);
-  CHECK(spread({3.0, 1.0, 2.0}).lowest == 1.0);
-  CHECK(spread({3.0, 1.0, 2.0}).highest == 3.0);
-  CHECK(spread({3.0, 1.0, 2.0}).repeats == std::vector{3.0, 1.0, 2.0});
-  CHECK(spread({}).median == 0.0);
+  CHECK(summary({3.0, 1.0, 2.0}).median == 2.0);
+  CHECK(summary({4.0, 1.0, 2.0, 3.0}).median == 2.5);
+  CHECK(summary({3.0, 1.0, 2.0}).lowest == 1.0);
+  CHECK(summary({3.0, 1.0, 2.0}).highest == 3.0);
+  CHECK(summary({3.0, 1.0, 2.0}).repeats == std::vector{3.0, 1.0, 2.0});
+  CHECK(summary({}).median == 0.0);
 }
 
 TEST_CASE("works take turns, the warm-up is not counted") {

@@ -32,7 +32,7 @@ TEST_CASE("relMSE does not depend on the exposure") {
   CHECK(relative_mse(brighter, brighter_reference) == Approx(relative_mse(picture, reference)));
 }
 
-TEST_CASE("a picture equal to its reference has no error") {
+TEST_CASE("an image equal to its reference has no error") {
   const std::vector<Xyz> reference{{0.2, 0.3, 0.1}, {0.9, 1.0, 1.1}};
   const ImageError error = image_error(reference, reference);
   CHECK(error.rel_mse == 0.0);

@@ -6,7 +6,7 @@
 
 using namespace abbe;
 
-// How many rays a picture takes, where that can be counted by hand: what the work is, on any
+// How many rays an image takes, where that can be counted by hand: what the work is, on any
 // machine. 8 x 8 pixels with 4 samples.
 
 namespace {
@@ -31,7 +31,7 @@ TEST_CASE("a card takes a camera ray and a shadow ray for each lamp") {
   CHECK(c.total() == 3 * kSamples);
 }
 
-TEST_CASE("a picture of the background takes no rays, unless nothing is skipped") {
+TEST_CASE("an image of the background takes no rays, unless nothing is skipped") {
   const std::string text = "background D65 1 translate 50 0 0 square";
   CHECK(counts_of(text).total() == 0);
   Scene scene = test::scene_from("imageSize 8 8 samples 4 fieldOfView 1 " + text);

@@ -68,7 +68,7 @@ TEST_CASE("with caustics the rays of lamps and of walls are recorded too") {
   CHECK(kinds == std::vector(kRayKinds.begin(), kRayKinds.end())); // all of them
 }
 
-TEST_CASE("recording changes nothing of the picture") {
+TEST_CASE("recording changes nothing of the image") {
   const Scene scene = [] {
     Scene s = test::project_scene("lens", 16);
     s.settings.samples_per_pixel = 2;

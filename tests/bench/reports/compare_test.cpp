@@ -15,7 +15,7 @@ namespace {
 std::string report_text(const std::vector<double>& seconds, const std::string& scene = "lens") {
   Report report;
   report.machine = {"processor", 2, 0.5, "0.1.0", "3.13.5", "GCC", "Release", "x86-64-v3"};
-  report.bands.push_back({scene, RenderSettings(), {{81, spread(seconds), spread({1.0}), {}}}});
+  report.bands.push_back({scene, RenderSettings(), {{81, summary(seconds), summary({1.0}), {}}}});
   return to_json_text(report);
 }
 
@@ -99,7 +99,8 @@ TEST_CASE("a change beyond its noise is told, and noise is not") {
 TEST_CASE("what is timed in one report only is named, and so are machines") {
   Report other;
   other.machine = {"other", 2, 9.5, "0.1.0", "4.3.0", "GCC", "Release", "x86-64-v3"};
-  other.bands.push_back({"lens", RenderSettings(), {{81, spread({1.0}), {}, {}}, {3, {}, {}, {}}}});
+  other.bands.push_back(
+      {"lens", RenderSettings(), {{81, summary({1.0}), {}, {}}, {3, {}, {}, {}}}});
   const Comparison c = compare(report_text({1.0}), to_json_text(other), 0.02);
   CHECK(c.changes.size() == 1);
   CHECK(c.only_first.empty());

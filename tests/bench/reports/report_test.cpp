@@ -145,7 +145,7 @@ TEST_CASE("default over exact is the ratio of their times to the same colour dif
     ErrorCurve c{{variation, {}}, {}};
     for (const double factor : {1.0, 4.0}) // dE 1, then 0.25: 0.5 is half way in the logarithms
       c.budgets.push_back(
-          {1, spread({factor * seconds}), {}, 0, {0.0, 0.0, 1.0 / factor, 0.0, std::nullopt}});
+          {1, summary({factor * seconds}), {}, 0, {0.0, 0.0, 1.0 / factor, 0.0, std::nullopt}});
     return c;
   };
   ErrorCurves e{"scene", {}, 0.0, {curve("default", 1.0), curve("exact", 3.0)}};

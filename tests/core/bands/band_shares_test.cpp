@@ -11,7 +11,7 @@ using namespace abbe;
 
 namespace {
 
-/// Ends that count nothing, a gap, and a peak.
+/// What the bands count: nothing at the ends, a gap, and a peak.
 const std::vector<double> kSeen{0.0, 0.001, 1.0, 8.0, 0.0, 27.0, 8.0, 1.0, 0.0};
 // Cube roots 0, 0.1, 1, 2, 0, 3, 2, 1, 0: the second is raised to a quarter of the mean.
 const double kLeast = 0.25 * 9.1 / 6.0, kSum = 9.0 + kLeast;
@@ -29,10 +29,10 @@ TEST_CASE("shares go as the cube root of what is seen, and no live band is left 
 
 TEST_CASE("a range is halved at the border nearest to half of its share") {
   const BandShares shares(kSeen);
-  CHECK(shares.middle({0, 9}) == 5); // 3.38 before it, 6 behind: nearer than 6.38 and 3
+  CHECK(shares.middle({0, 9}) == 5); // 3.38 before and 6 behind are nearer than 6.38 and 3
   CHECK(shares.middle({5, 8}) == 6); // 3 and 3
   CHECK(shares.middle({2, 4}) == 3);
-  CHECK(shares.middle({0, 2}) == 1); // neither side empty, whatever they count
+  CHECK(shares.middle({0, 2}) == 1); // neither side is empty, whatever the bands count
   CHECK(shares.place({5, 8}, 0.9) == 7);
 }
 
@@ -55,8 +55,8 @@ TEST_CASE("each band is kept in proportion to its share, with the weight that ma
   CHECK(shares.keep_one({0, 9}, std::nextafter(1.0, 0.0)).band == 7);
 }
 
-// Under equal energy the observer sees the ends of the spectrum a hundred thousandth as well.
-TEST_CASE("a plan's shares are those of the observer and the lamps") {
+// In equal-energy light the ends of the spectrum count 1e-5 of the middle.
+TEST_CASE("a plan's shares follow from the observer and the lights") {
   const Scene scene = test::scene_from("background E 1 sphere");
   const Plan plan = make_plan(scene, scene.settings);
   const auto share = [&](int b) { return plan.shares.of({b, b + 1}); };
@@ -72,8 +72,8 @@ TEST_CASE("a plan's shares are those of the observer and the lamps") {
 
 namespace {
 
-/// The relative variance of X, Y and Z, in the mean, of white light of which one sample keeps a
-/// band for each of `parts` ranges, made by halving.
+/// The mean relative variance of X, Y and Z of white light when a sample keeps one band of each of
+/// `parts` ranges, which are made by halving.
 double color_noise(const Plan& plan, int parts) {
   std::vector<BandRange> ranges{{0, 81}};
   while (static_cast<int>(ranges.size()) < parts) {
@@ -102,8 +102,9 @@ double color_noise(const Plan& plan, int parts) {
 
 } // namespace
 
-// Four of 81 bands at equal distances have 0.19, eight 0.004 [docs/decisions/bundles.md].
-TEST_CASE("few bands by their shares tell the colour of white light nearly without noise") {
+// With bands at equal distances the variance is 0.19 for four of 81 bands and 0.004 for eight
+// [docs/decisions/bundles.md].
+TEST_CASE("a few bands, chosen by share, give the colour of white light nearly without noise") {
   const Scene scene = test::scene_from("background D65 1 sphere");
   const Plan plan = make_plan(scene, scene.settings);
   CHECK(color_noise(plan, 8) < 0.002);

@@ -22,7 +22,7 @@ TEST_CASE("a part of a span has the same values at the same bands") {
   CHECK(&part[3] == &values[3]);
 }
 
-TEST_CASE("what may be changed may be read, but not the other way round") {
+TEST_CASE("a span of values converts to one of constant values, but not the reverse") {
   CHECK(std::is_convertible_v<BandSpan<float>, BandSpan<const float>>);
   CHECK_FALSE(std::is_convertible_v<BandSpan<const float>, BandSpan<float>>);
 }

@@ -30,7 +30,7 @@ TEST_CASE("a table of values has them, zeros behind, and no constant") {
   CHECK(BandTable(std::vector<double>{0.0, 0.0}).zero());
 }
 
-TEST_CASE("a curve is taken at the bands' centres") {
+TEST_CASE("a curve is evaluated at the bands' centres") {
   const BandGrid grid(81);
   const Curve ramp = Curve::table({380.0, 780.0}, {0.0, 1.0});
   const BandTable table = BandTable::at_centers(grid, ramp, true);

@@ -30,7 +30,7 @@ std::vector<std::pair<int, int>> found_runs(const std::vector<float>& values, in
 
 } // namespace
 
-TEST_CASE("runs are what a look at each band finds, for all patterns of ten bands") {
+TEST_CASE("runs agree with a search band by band, for all patterns of ten bands") {
   for (unsigned pattern = 0; pattern < 1024; ++pattern) {
     std::vector<float> values(16, 0.0f);
     for (unsigned b = 0; b < 10; ++b)
@@ -41,7 +41,7 @@ TEST_CASE("runs are what a look at each band finds, for all patterns of ten band
   }
 }
 
-TEST_CASE("only what is more than 0 passes, be it ever so little") {
+TEST_CASE("every value above 0 passes, however small, and no other") {
   const std::vector<float> values{1e-45f, -1.0f, -0.0f, 1e30f};
   CHECK(found_runs(values, 0, 4) == std::vector<std::pair<int, int>>{{0, 1}, {3, 4}});
 }

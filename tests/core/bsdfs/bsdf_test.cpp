@@ -1,4 +1,4 @@
-// What holds for every type of the set.
+// Tests that hold for every type of the set.
 
 #include "core/bsdfs/bsdf.h"
 #include "core/planning/make_plan.h"
@@ -70,7 +70,7 @@ TEST_CASE("no BSDF sends more light along single rays than it gets") {
     }
 }
 
-TEST_CASE("straight rays go through what transmits or lets pass, and nothing else") {
+TEST_CASE("straight rays pass only BSDFs that transmit light or let it pass") {
   for (const std::string& text : kOneOfEach) {
     CAPTURE(text);
     Surface s(text);
@@ -82,7 +82,7 @@ TEST_CASE("straight rays go through what transmits or lets pass, and nothing els
   }
 }
 
-TEST_CASE("a BSDF of single rays alone scatters nothing, and samples nothing") {
+TEST_CASE("a specular BSDF evaluates to 0 and samples nothing") {
   for (const std::string& text : kOneOfEach) {
     CAPTURE(text);
     Surface s(text);

@@ -13,7 +13,7 @@ using namespace abbe;
 
 namespace {
 
-/// Fresnel's equations as they stand, in complex numbers: another way to the same reflectance.
+/// Fresnel's equations as they stand, in complex numbers: an independent form of the reflectance.
 double complex_reflectance(double cos_i, double n_before, double n, double k) {
   using Complex = std::complex<double>;
   const Complex eta = Complex(n, -k) / n_before;
@@ -23,7 +23,7 @@ double complex_reflectance(double cos_i, double n_before, double n, double k) {
   return 0.5 * (std::norm(s) + std::norm(p));
 }
 
-/// Radiance in every band of a mirror of metal under a white sky, seen at 60 degrees.
+/// The radiance per band of a metal mirror under a white sky, seen at 60 degrees.
 Film mirror_at_60_degrees(const std::string& material) {
   const Scene scene =
       test::scene_from("fieldOfView 0.0001 imageSize 1 1 samples 1 jitter off background E 1\n"
@@ -59,7 +59,7 @@ TEST_CASE("the conductor's reflectance is Fresnel's with a complex index") {
       }
 }
 
-TEST_CASE("without absorption a conductor is glass, total reflection included") {
+TEST_CASE("without absorption a conductor reflects like glass, total reflection included") {
   for (const double n : {1.2, 1.5, 2.4})
     for (double cos_i = 0.05; cos_i <= 1.0; cos_i += 0.05) {
       CHECK(conductor_reflectance(cos_i, 1.0, n, 0.0) ==
@@ -92,8 +92,8 @@ TEST_CASE("a mirror of metal shows the sky times its reflectance, per band and a
 }
 
 TEST_CASE("metal inside glass reflects by the index of the glass") {
-  // Straight down into a block of constant index, back up from silver at its bottom: two surfaces
-  // of glass, T^2 R / (1 - R (1 - T)), without the sky's reflection at the top, which adds 1 - T.
+  // Light goes straight down into a block of constant index and back up from silver at its bottom,
+  // which gives T^2 R / (1 - R (1 - T)). The sky's reflection at the top adds 1 - T.
   const Scene scene =
       test::scene_from("fieldOfView 0.0001 imageSize 1 1 samples 1 jitter off exact on background "
                        "E 1 minThroughput 0\n"

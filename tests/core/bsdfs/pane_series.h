@@ -4,13 +4,14 @@
 
 namespace abbe::test {
 
-/// What a pane of glass returns and lets through.
+/// The parts of the light that a pane of glass reflects and transmits.
 struct PaneLight {
   double reflected = 0.0, transmitted = 0.0;
 };
 
-/// Unpolarised light at an angle in radians, reflection by reflection between the two faces, with
-/// Fresnel's equations in their form by angles. `absorption` is that of the straight passage.
+/// The sum over the reflections between the two faces, for unpolarised light at an angle in
+/// radians, with Fresnel's equations in their form by angles. `absorption` is that at normal
+/// incidence.
 inline PaneLight pane_series(double angle, double n_before, double n_glass, double absorption) {
   const double inside = std::asin(n_before * std::sin(angle) / n_glass);
   const double normal = (n_glass - n_before) / (n_glass + n_before);

@@ -11,22 +11,22 @@
 
 namespace abbe::test {
 
-/// How directions that were drawn compare with the density that is claimed for them.
+/// How the directions that a function draws compare with the pdf that is claimed for them.
 struct SamplingCheck {
-  double integral = 0.0; ///< of the density, over the directions asked for
+  double integral = 0.0; ///< of the pdf, over the expected directions
   double drawn = 0.0;    ///< the part of the draws that gave a direction
-  double outside = 0.0;  ///< the part that gave one which was not asked for
+  double outside = 0.0;  ///< the part that gave an unexpected direction
   double chi_square = 0.0;
-  double limit = 0.0; ///< chi_square exceeds it by chance once in a million (Wilson, Hilferty)
+  double limit = 0.0; ///< which chi_square exceeds by chance once in a million (Wilson, Hilferty)
 
   [[nodiscard]] bool agrees() const { return chi_square < limit && outside == 0.0; }
 };
 
-/// `sample(u)` gives an optional unit direction, `density(direction)` is per steradian, and `asked`
-/// holds all directions that can be drawn. The cone is cut into 8 x 16 cells of one solid angle;
-/// what each should hold is summed over `fine` x `fine` directions of it.
-template <class Sample, class Density>
-SamplingCheck check_sampling(const Cone& asked, const Sample& sample, const Density& density,
+/// `sample(u)` gives an optional unit direction, `pdf(direction)` is per steradian, and `asked` is
+/// the cone of all directions that can be drawn. The cone is cut into 8 x 16 cells of equal solid
+/// angle. The expected count of each is summed over `fine` x `fine` of its directions.
+template <class Sample, class Pdf>
+SamplingCheck check_sampling(const Cone& asked, const Sample& sample, const Pdf& pdf,
                              int draws = 40000, int fine = 48) {
   constexpr int kRings = 8, kSectors = 16, kCells = kRings * kSectors;
   const Frame frame(asked.axis);
@@ -39,7 +39,7 @@ SamplingCheck check_sampling(const Cone& asked, const Sample& sample, const Dens
       const double angle = 2.0 * std::numbers::pi * (j + 0.5) / (kSectors * fine);
       const double sine = std::sqrt(off * (2.0 - off));
       const dvec3 local{sine * std::cos(angle), sine * std::sin(angle), 1.0 - off};
-      const double part = density(frame.to_world(local)) * cell_angle / (fine * fine);
+      const double part = pdf(frame.to_world(local)) * cell_angle / (fine * fine);
       expected[static_cast<std::size_t>(i / fine * kSectors + j / fine)] += part;
       check.integral += part;
     }
@@ -56,7 +56,7 @@ SamplingCheck check_sampling(const Cone& asked, const Sample& sample, const Dens
     if (turn < 0.0) turn += 1.0;
     const int ring = static_cast<int>(off / asked.one_minus_cos * kRings);
     const int sector = static_cast<int>(turn * kSectors) % kSectors;
-    // At the cone's own edge rounding decides.
+    // At the edge of the cone rounding decides.
     if (off > asked.one_minus_cos * (1.0 + 1e-9)) {
       check.outside += 1.0 / draws;
       continue;

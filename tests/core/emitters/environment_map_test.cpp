@@ -27,7 +27,7 @@ Environment picture(int width, int height, const std::vector<float>& greys) {
 
 double radiance(const EnvironmentMap& map, const dvec3& direction) {
   float value = 1.0f;
-  map.scale(glm::normalize(direction), 0, 1, &value);
+  map.scale(glm::normalize(direction), {&value, {0, 1}});
   return static_cast<double>(value);
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("a constant environment has its colour everywhere, at any band") {
   const Curve d65 = *find_illuminant("D65");
   for (const dvec3& v : {dvec3(0, 1, 0), dvec3(0, -1, 0), dvec3(0.6, 0, 0.8), dvec3(0, 0, 1)}) {
     float values[3] = {1.0f, 1.0f, 2.0f};
-    map.scale(v, 0, 3, values);
+    map.scale(v, {values, {0, 3}});
     CHECK(values[0] == Approx(expected.at(420.0) / d65.at(420.0)).epsilon(2e-3));
     CHECK(values[1] == Approx(expected.at(550.0) / d65.at(550.0)).epsilon(2e-3));
     CHECK(values[2] == Approx(2.0 * expected.at(690.0) / d65.at(690.0)).epsilon(2e-3));

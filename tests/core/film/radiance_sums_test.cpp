@@ -27,7 +27,7 @@ TEST_CASE("full throughput from a lamp has the lamp's colour and its mean radian
     const Plan plan = two_lamps(bands);
     RadianceSums sums(plan);
     const std::vector<float> ones(plan.stride, 1.0f);
-    sums.add(plan.light_source(0), ones.data(), BandTable(1.0f, bands), 1.0f, 0, bands);
+    sums.add(plan.light_source(0), {ones.data(), {0, bands}}, BandTable(1.0f, bands), 1.0f);
     const Curve lamp = Curve::table({380.0, 780.0}, {0.2, 1.0});
     Xyz white;
     for (const Xyz& w : band_weights(plan.grid, lamp))
@@ -48,8 +48,8 @@ TEST_CASE("what lamps give adds up, times throughput, reflectance and factor") {
     const Plan plan = two_lamps(bands);
     RadianceSums sums(plan);
     const std::vector<float> half(plan.stride, 0.5f);
-    sums.add(plan.light_source(0), half.data(), BandTable(0.4f, bands), 3.0f, 0, bands);
-    sums.add(plan.light_source(1), half.data(), BandTable(1.0f, bands), 1.0f, 5, 6);
+    sums.add(plan.light_source(0), {half.data(), {0, bands}}, BandTable(0.4f, bands), 3.0f);
+    sums.add(plan.light_source(1), {half.data(), {5, 6}}, BandTable(1.0f, bands), 1.0f);
     const auto means = band_means(plan.grid, Curve::table({380.0, 780.0}, {0.2, 1.0}));
     CHECK(sums.radiance()[4] == Approx(0.5 * 0.4 * 3.0 * means[4]).epsilon(1e-6));
     CHECK(sums.radiance()[5] == Approx(0.5 * 0.4 * 3.0 * means[5] + 0.25).epsilon(1e-6));
@@ -67,7 +67,7 @@ TEST_CASE("a constant lamp adds the same bytes whether or not constants are skip
     RadianceSums sums(plan);
     const std::vector<float> throughput(plan.stride, 0.7f);
     for (const int source : {plan.light_source(1), Plan::kBackground})
-      sums.add(source, throughput.data(), reflectance, 0.9f, 0, 81);
+      sums.add(source, {throughput.data(), {0, 81}}, reflectance, 0.9f);
     const auto radiance = sums.radiance();
     result[skip ? 1 : 0].assign(radiance.begin(), radiance.end());
   }

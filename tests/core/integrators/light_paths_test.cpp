@@ -69,11 +69,11 @@ TEST_CASE("a light path carries its lamp's bands and no others") {
   REQUIRE(p.batch.photons.size() == 1);
   const SourcePlan& source = p.s.plan.sources[static_cast<std::size_t>(p.s.plan.light_source(0))];
   const Photon& photon = p.batch.photons[0];
-  CHECK(photon.first > 0);
-  CHECK(source.factor[photon.first - 1] == 0.0f);
-  CHECK(source.factor[photon.first] > 0.0f);
-  CHECK(photon.last < 81);
-  CHECK(source.factor[photon.last] == 0.0f);
+  CHECK(photon.bands.first > 0);
+  CHECK(source.factor[photon.bands.first - 1] == 0.0f);
+  CHECK(source.factor[photon.bands.first] > 0.0f);
+  CHECK(photon.bands.last < 81);
+  CHECK(source.factor[photon.bands.last] == 0.0f);
 }
 
 TEST_CASE("paths end after as many surfaces as are asked for") {

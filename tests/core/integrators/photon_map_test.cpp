@@ -21,11 +21,9 @@ PhotonBatch scattered(int count, int seed, std::size_t first_number) {
     photon.position = {unit(random), unit(random), 0.0};
     photon.direction = {0.0, 0.0, -1.0};
     photon.normal = {0.0, 0.0, 1.0};
-    photon.first = 3;
-    photon.last = 5;
     const auto number = static_cast<float>(first_number + static_cast<std::size_t>(i));
-    const float flux[] = {number, 2.0f * number};
-    batch.add(photon, flux, 1.0);
+    const float flux[] = {0.0f, 0.0f, 0.0f, number, 2.0f * number};
+    batch.add(photon, {flux, {3, 5}}, 1.0);
   }
   return batch;
 }

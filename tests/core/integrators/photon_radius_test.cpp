@@ -20,8 +20,7 @@ std::vector<PhotonBatch> square(int side) {
     Photon photon;
     const double y = place(bits);
     photon.position = {place(bits), 0.6 * y, 0.8 * y};
-    photon.last = 1;
-    batches[static_cast<std::size_t>(i % 2)].add(photon, &flux, 1.0);
+    batches[static_cast<std::size_t>(i % 2)].add(photon, {&flux, {0, 1}}, 1.0);
   }
   return batches;
 }
@@ -44,9 +43,7 @@ TEST_CASE("the first radius where photons tell nothing, or too much") {
   std::vector<PhotonBatch> same(1);
   const float flux = 1.0f;
   for (int i = 0; i < 100; ++i) {
-    Photon photon;
-    photon.last = 1;
-    same[0].add(photon, &flux, 1.0);
+    same[0].add(Photon(), {&flux, {0, 1}}, 1.0);
   }
   CHECK(first_photon_radius(same, 3.0) == 3.0);
 }

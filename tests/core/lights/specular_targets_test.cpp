@@ -37,7 +37,8 @@ TEST_CASE("targets are balls around what mirrors or refracts") {
 // The square of the floor and the eye span a box from (-1, -1, 0) to (1, 1, 9), in a ball about
 // (0, 0, 4.5); the mirror z = -1 shows that ball 5.5 behind it.
 TEST_CASE("a mirror without end is aimed at through the image of the ball about the scene") {
-  const Targets targets = targets_of("square push translate 0 0 -1 reflectivity 0.5 fresnel off plane pop");
+  const Targets targets =
+      targets_of("square push translate 0 0 -1 reflectivity 0.5 fresnel off plane pop");
   REQUIRE(targets.balls.size() == 1);
   CHECK(std::isinf(targets.balls[0].radius));
   const double radius = std::sqrt(1.0 + 1.0 + 4.5 * 4.5);

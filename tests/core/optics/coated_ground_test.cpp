@@ -23,14 +23,14 @@ struct Plastic {
 };
 
 struct Scatter {
-  double f[2], density;
+  double f[2], pdf;
 };
 
 Scatter evaluate(const CoatedGround& surface, const SurfaceOptics& optics, const dvec3& wo,
                  const dvec3& wi) {
   float f[2] = {};
   Scatter s{};
-  s.density = evaluate_coated_ground(surface, optics, wo, wi, {0, 2}, f);
+  s.pdf = evaluate_coated_ground(surface, optics, wo, wi, {0, 2}, f);
   std::copy(f, f + 2, s.f);
   return s;
 }
@@ -46,13 +46,13 @@ double furnace(const CoatedGround& surface, const SurfaceOptics& optics, const d
       [&](const dvec3& wi) {
         if (!surface.rough && wi.x == -wo.x && wi.y == -wo.y) return 0.0; // the mirror direction
         const Scatter s = evaluate(surface, optics, wo, wi);
-        return s.f[band] / s.density;
+        return s.f[band] / s.pdf;
       });
 }
 
 } // namespace
 
-TEST_CASE("Fresnel's mean over a hemisphere") {
+TEST_CASE("Fresnel's mean over a hemisphere agrees with a sum and a published value") {
   for (const double eta : {1.0, 1.000001, 1.0003, 1.05, 1.33, 1.5, 2.4, 0.75, 1.0 / 1.5, 0.4}) {
     double sum = 0.0; // midpoints in mu^2
     for (int i = 0; i < 400000; ++i)
@@ -92,7 +92,7 @@ TEST_CASE("white plastic loses no light") {
   }
 }
 
-TEST_CASE("light between ground and coat, as a sum over its passes") {
+TEST_CASE("light between ground and coat is the sum over its passes") {
   const Plastic plastic(1.5, 0.6f, 0.3f);
   const SurfaceOptics optics = plastic.optics();
   const CoatedGround smooth{plastic.ground, {}, nullptr};
@@ -121,12 +121,12 @@ TEST_CASE("coated surfaces are reciprocal and return nothing from below") {
     for (int b = 0; b < 2; ++b)
       CHECK(evaluate(surface, optics, wo, wi).f[b] / wi.z ==
             Approx(evaluate(surface, optics, wi, wo).f[b] / wo.z).epsilon(1e-6));
-    CHECK(evaluate(surface, optics, wo, -wi).density == 0.0);
+    CHECK(evaluate(surface, optics, wo, -wi).pdf == 0.0);
     CHECK(evaluate(surface, optics, wo, -wi).f[0] == 0.0);
   }
 }
 
-TEST_CASE("coated surfaces are sampled with the density they tell") {
+TEST_CASE("coated surfaces are sampled with the pdf that they return") {
   const Plastic plastic(1.5, 0.9f, 0.1f);
   const SurfaceOptics optics = plastic.optics();
   for (const double roughness : {0.5, 0.8}) {
@@ -140,7 +140,7 @@ TEST_CASE("coated surfaces are sampled with the density they tell") {
                   const int b = choice < 0.5 ? 0 : 1;
                   return sample_coated_ground(surface, optics, wo, b, u, 2.0 * choice - b);
                 },
-                [&](const dvec3& wi) { return evaluate(surface, optics, wo, wi).density; }) < 4.0);
+                [&](const dvec3& wi) { return evaluate(surface, optics, wo, wi).pdf; }) < 4.0);
     }
   }
 }

@@ -27,10 +27,10 @@ struct Metal {
 };
 
 double evaluate(const ConductorFacets& surface, const SurfaceOptics& optics, const dvec3& wo,
-                const dvec3& wi, double* density = nullptr) {
+                const dvec3& wi, double* pdf = nullptr) {
   float f[2];
   const double p = evaluate_conductor_facets(surface, optics, wo, wi, {0, 2}, f);
-  if (density) *density = p;
+  if (pdf) *pdf = p;
   return static_cast<double>(f[0]);
 }
 
@@ -42,9 +42,9 @@ double furnace(const ConductorFacets& surface, const SurfaceOptics& optics, doub
         return sample_conductor_facets(surface, wo, u, choice);
       },
       [&](const dvec3& wi) {
-        double density = 0.0;
-        const double f = evaluate(surface, optics, wo, wi, &density);
-        return f / density;
+        double pdf = 0.0;
+        const double f = evaluate(surface, optics, wo, wi, &pdf);
+        return f / pdf;
       });
 }
 
@@ -110,7 +110,7 @@ TEST_CASE("rough metal is reciprocal") {
       }
 }
 
-TEST_CASE("rough metal is sampled with the density it tells") {
+TEST_CASE("rough metal is sampled with the pdf that it returns") {
   const Metal metal;
   for (const double roughness : {0.5, 0.8, 1.0}) {
     const Ggx ggx = Ggx::from_roughness(roughness);
@@ -125,9 +125,9 @@ TEST_CASE("rough metal is sampled with the density it tells") {
                     return sample_conductor_facets(surface, wo, u, choice);
                   },
                   [&](const dvec3& wi) {
-                    double density = 0.0;
-                    (void)evaluate(surface, metal.optics(), wo, wi, &density);
-                    return density;
+                    double pdf = 0.0;
+                    (void)evaluate(surface, metal.optics(), wo, wi, &pdf);
+                    return pdf;
                   }) < 4.0);
       }
   }
@@ -144,7 +144,7 @@ TEST_CASE("polished metal reflects as a smooth one") {
   }
 }
 
-TEST_CASE("what coloured metal returns after several facets is darker and more saturated") {
+TEST_CASE("light from several facets of coloured metal is darker and more saturated") {
   const Metal metal;
   const Ggx ggx = Ggx::from_roughness(1.0);
   const GgxAlbedo albedo(ggx);
@@ -157,8 +157,8 @@ TEST_CASE("what coloured metal returns after several facets is darker and more s
 }
 
 TEST_CASE("light from several facets is a sum over the number of reflections") {
-  // Of what one reflection keeps, each further one lets the mean albedo E go and the metal's mean
-  // reflectance F dims it: F^2 E + F^3 (1 - E) E + ..., beside F = 1 which gives all.
+  // Each reflection after the first lets the mean albedo E of the light leave, and the metal's mean
+  // reflectance F dims it: F^2 E + F^3 (1 - E) E + ..., where F = 1 gives all of it.
   const Metal metal;
   const Ggx ggx = Ggx::from_roughness(1.0);
   const GgxAlbedo albedo(ggx);
@@ -172,20 +172,20 @@ TEST_CASE("light from several facets is a sum over the number of reflections") {
   double sum = 0.0, kept = mean * mean;
   for (int i = 0; i < 100; ++i, kept *= mean * (1.0 - albedo.mean()))
     sum += kept * albedo.mean();
-  // The surface takes the mean reflectance by two points of Gauss's rule: 1 % of it here.
+  // The surface computes the mean reflectance by two points of Gauss's rule, which is 1 % off here.
   CHECK(several(metal.optics()) / several(metal.optics(false)) == Approx(sum).epsilon(0.03));
 }
 
-TEST_CASE("rough metal: bands, dead bands, reflectivity, the wrong side") {
+TEST_CASE("rough metal: live bands, reflectivity, and nothing below the surface") {
   const Metal metal;
   SurfaceOptics optics = metal.optics();
   const dvec3 wo = direction(0.7, 0.0), wi = direction(0.5, 2.0);
   float f[2] = {7.0f, 7.0f}, half[2], live[] = {0.0f, 1.0f};
-  const double density = evaluate_conductor_facets({Ggx{0.4}}, optics, wo, wi, {0, 2}, f);
+  const double pdf = evaluate_conductor_facets({Ggx{0.4}}, optics, wo, wi, {0, 2}, f);
   CHECK(f[0] < f[1]);
   const float reflectivity[] = {0.5f, 0.25f};
   optics.reflectivity = reflectivity;
-  CHECK(evaluate_conductor_facets({Ggx{0.4}}, optics, wo, wi, {0, 2, live}, half) == density);
+  CHECK(evaluate_conductor_facets({Ggx{0.4}}, optics, wo, wi, {0, 2, live}, half) == pdf);
   CHECK(half[0] == 0.0f);
   CHECK(half[1] == Approx(0.25 * static_cast<double>(f[1])));
   CHECK(evaluate_conductor_facets({Ggx{0.4}}, optics, wo, -wi, {0, 2}, f) == 0.0);

@@ -31,28 +31,29 @@ struct Glass {
 };
 
 struct Scatter {
-  double f[kBands], density;
+  double f[kBands], pdf;
 };
 
-Scatter evaluate(const DielectricFacets& surface, const SurfaceOptics& optics, const dvec3& wo,
+Scatter evaluate(DielectricFacets surface, const SurfaceOptics& optics, const dvec3& wo,
                  const dvec3& wi, Transport transport = Transport::radiance,
                  BandSet bands = {0, kBands}) {
   float f[kBands] = {};
   Scatter s{};
-  s.density = evaluate_dielectric_facets(surface, optics, wo, wi, bands, transport, f);
+  surface.transport = transport;
+  s.pdf = evaluate_dielectric_facets(surface, optics, wo, wi, bands, f);
   std::copy(f, f + kBands, s.f);
   return s;
 }
 
-/// A band is drawn by the same number as the lobe.
+/// Samples with a band that the number for the lobe also chooses.
 std::optional<dvec3> sample(const DielectricFacets& surface, const SurfaceOptics& optics,
                             const dvec3& wo, const dvec2& u, double choice) {
   const int band = static_cast<int>(choice * kBands);
   return sample_dielectric_facets(surface, optics, wo, band, u, choice * kBands - band);
 }
 
-/// Reflected and transmitted flux of band 0. Radiance is counted with the n^2 of the side it comes
-/// from, as in a furnace of one temperature.
+/// The reflected and the transmitted flux of band 0. Radiance counts with the n^2 of the side that
+/// it comes from, as in a furnace of uniform temperature.
 double furnace(const DielectricFacets& surface, const SurfaceOptics& optics, double cos_o,
                Transport transport, int count = 16000) {
   const dvec3 wo = direction(cos_o, 0.3);
@@ -62,7 +63,7 @@ double furnace(const DielectricFacets& surface, const SurfaceOptics& optics, dou
       [&](const dvec3& wi) {
         const Scatter s = evaluate(surface, optics, wo, wi, transport);
         const bool n2 = wi.z < 0.0 && transport == Transport::radiance;
-        return s.f[0] / s.density * (n2 ? eta * eta : 1.0);
+        return s.f[0] / s.pdf * (n2 ? eta * eta : 1.0);
       });
 }
 
@@ -86,7 +87,7 @@ TEST_CASE("rough clear glass with compensation loses no light") {
   }
 }
 
-TEST_CASE("compensated glass by a sum over directions") {
+TEST_CASE("compensated glass conserves energy in a sum over directions") {
   const Ggx ggx = Ggx::from_roughness(0.8);
   const DielectricAlbedo albedo(ggx, 2.0);
   for (const bool from_inside : {false, true}) {
@@ -156,7 +157,7 @@ TEST_CASE("rough glass is the formula of its facets") {
       const double g = Ggx{alpha}.g2(wo, wi);
       const double expected = o * -i * n * n * (1.0 - fresnel_reflectance(o, n)) * d * g /
                               (std::pow(o + n * i, 2) * cos_o);
-      if (!(o > 0.0 && i < 0.0 && h.z > 0.0)) { // no facet sends light that way
+      if (!(o > 0.0 && i < 0.0 && h.z > 0.0)) { // no facet sends light there
         CHECK(evaluate(surface, glass.optics(), wo, wi).f[0] == 0.0);
         continue;
       }
@@ -167,7 +168,7 @@ TEST_CASE("rough glass is the formula of its facets") {
     }
 }
 
-TEST_CASE("rough glass is sampled with the density it tells, dispersive glass too") {
+TEST_CASE("rough glass, dispersive or not, is sampled with the pdf that it returns") {
   for (const double roughness : {0.5, 0.75, 1.0}) {
     const Ggx ggx = Ggx::from_roughness(roughness);
     const DielectricAlbedo albedo(ggx, 2.5);
@@ -186,7 +187,7 @@ TEST_CASE("rough glass is sampled with the density it tells, dispersive glass to
                       [&](const dvec2& u, double choice) {
                         return sample(surface, optics, wo, u, choice);
                       },
-                      [&](const dvec3& wi) { return evaluate(surface, optics, wo, wi).density; },
+                      [&](const dvec3& wi) { return evaluate(surface, optics, wo, wi).pdf; },
                       100000) < 4.0);
           }
   }
@@ -209,16 +210,16 @@ TEST_CASE("polished glass reflects and transmits as a smooth one") {
             [&](const dvec2& u, double choice) { return sample(surface, optics, wo, u, choice); },
             [&](const dvec3& wi) {
               const Scatter s = evaluate(surface, optics, wo, wi, Transport::flux);
-              return (wi.z > 0.0) == above ? s.f[0] / s.density : 0.0;
+              return (wi.z > 0.0) == above ? s.f[0] / s.pdf : 0.0;
             });
       CHECK(sides[1] == Approx(fresnel_reflectance(cos_o, 1.5)).margin(2e-3));
       CHECK(sides[0] == Approx(1.0 - fresnel_reflectance(cos_o, 1.5)).margin(2e-3));
     }
 }
 
-TEST_CASE("each band of a dispersive rough surface conserves energy with the shared density") {
-  // One direction serves all bands, weighted by f_b over the mean density: means come out as each
-  // band's own.
+TEST_CASE("each band of a dispersive rough surface conserves energy with the shared pdf") {
+  // One direction serves all bands, weighted by f_b over the mean pdf. The mean of each band must
+  // be its own.
   const Ggx ggx = Ggx::from_roughness(0.6);
   const DielectricAlbedo albedo(ggx, 2.5);
   const Glass glass(1.0, 1.4, 0.2);
@@ -231,11 +232,11 @@ TEST_CASE("each band of a dispersive rough surface conserves energy with the sha
               [&](const dvec2& u, double choice) { return sample(surface, optics, wo, u, choice); },
               [&](const dvec3& wi) {
                 const Scatter s = evaluate(surface, optics, wo, wi, Transport::flux);
-                return s.f[b] / s.density;
+                return s.f[b] / s.pdf;
               }) == Approx(1.0).margin(0.005));
 }
 
-TEST_CASE("rough glass: dead bands, the finish's factors, grazing and like media") {
+TEST_CASE("rough glass: dead bands, reflectivity and transparency, grazing light, equal media") {
   const Glass glass(1.0, 1.4, 0.2), same(1.5, 1.5);
   SurfaceOptics optics = glass.optics();
   const DielectricFacets surface{Ggx{0.4}};
@@ -247,17 +248,17 @@ TEST_CASE("rough glass: dead bands, the finish's factors, grazing and like media
   CHECK(some.f[1] == 0.0);
   const Scatter middle = evaluate(surface, optics, wo, down, Transport::radiance, {1, 2});
   CHECK(middle.f[1] == all.f[1]);
-  CHECK((2.0 * some.density + middle.density) / 3.0 == Approx(all.density));
+  CHECK((2.0 * some.pdf + middle.pdf) / 3.0 == Approx(all.pdf));
   const Scatter above = evaluate(surface, optics, wo, up);
   const float reflectivity[] = {0.0f, 0.0f, 0.0f}, transparency[] = {0.5f, 0.5f, 0.5f};
   optics.reflectivity = reflectivity;
   optics.transparency = transparency;
   CHECK(evaluate(surface, optics, wo, up).f[0] == 0.0);
-  CHECK(evaluate(surface, optics, wo, up).density == 0.0); // no sample is wasted there
+  CHECK(evaluate(surface, optics, wo, up).pdf == 0.0); // no sample is wasted there
   CHECK(evaluate(surface, optics, wo, down).f[0] == Approx(0.5 * all.f[0]));
-  CHECK(evaluate(surface, optics, wo, down).density > all.density);
+  CHECK(evaluate(surface, optics, wo, down).pdf > all.pdf);
   CHECK(above.f[0] > 0.0);
-  CHECK(evaluate(surface, glass.optics(), wo, dvec3{1.0, 0.0, 0.0}).density == 0.0);
-  CHECK(evaluate(surface, same.optics(), wo, down).density == 0.0);
-  CHECK(evaluate(surface, same.optics(), wo, -wo).density == 0.0);
+  CHECK(evaluate(surface, glass.optics(), wo, dvec3{1.0, 0.0, 0.0}).pdf == 0.0);
+  CHECK(evaluate(surface, same.optics(), wo, down).pdf == 0.0);
+  CHECK(evaluate(surface, same.optics(), wo, -wo).pdf == 0.0);
 }

@@ -18,7 +18,8 @@ TEST_CASE("the facets' projected area is that of the surface") {
   CHECK(Ggx::from_roughness(0.3).alpha == Approx(0.09));
 }
 
-TEST_CASE("GGX in cosines") { // alpha^2 / (pi cos^4 (alpha^2 + tan^2)^2) [Walter07, 33]
+TEST_CASE("GGX agrees with its formula in cosines") { // alpha^2 / (pi cos^4 (alpha^2 + tan^2)^2)
+                                                      // [Walter07, 33]
   for (const double alpha : {0.05, 0.4, 1.0})
     for (const double cosine : {1.0, 0.99, 0.7, 0.2}) {
       const double cos2 = cosine * cosine, tan2 = (1.0 - cos2) / cos2;
@@ -31,17 +32,17 @@ TEST_CASE("GGX in cosines") { // alpha^2 / (pi cos^4 (alpha^2 + tan^2)^2) [Walte
     }
 }
 
-TEST_CASE("masking is what makes the visible facets fill the view") {
-  // The integral of D G1 max(0, wo . h) is wo.z [Heitz14]: the visible normals are a density.
+TEST_CASE("masking makes the visible facets fill the view") {
+  // The integral of D G1 max(0, wo . h) is wo.z [Heitz14], so the visible normals have a pdf.
   for (const double alpha : {0.3, 0.6, 1.0})
     for (const double cosine : {1.0, 0.6, 0.2}) {
       const dvec3 wo = direction(cosine, 0.4);
-      CHECK(sphere_integral([&](const dvec3& h) { return Ggx{alpha}.visible_density(wo, h); }, 0.0,
-                            1.0, 1000) == Approx(1.0).epsilon(2e-3));
+      CHECK(sphere_integral([&](const dvec3& h) { return Ggx{alpha}.visible_pdf(wo, h); }, 0.0, 1.0,
+                            1000) == Approx(1.0).epsilon(2e-3));
     }
 }
 
-TEST_CASE("normals are sampled with the density of the visible ones") {
+TEST_CASE("normals are sampled with the pdf of the visible ones") {
   for (const double alpha : {0.3, 0.6, 1.0})
     for (const double cosine : {1.0, 0.6, 0.1}) {
       INFO(alpha << ' ' << cosine);
@@ -51,8 +52,7 @@ TEST_CASE("normals are sampled with the density of the visible ones") {
                 [&](const dvec2& u, double) {
                   return std::optional(ggx.sample_visible_normal(wo, u));
                 },
-                [&](const dvec3& h) { return h.z > 0.0 ? ggx.visible_density(wo, h) : 0.0; }) <
-            4.0);
+                [&](const dvec3& h) { return h.z > 0.0 ? ggx.visible_pdf(wo, h) : 0.0; }) < 4.0);
     }
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("joint masking lies between its bounds") {
     for (const double i : {0.05, 0.4, 1.0}) {
       const dvec3 wo = direction(o, 0.0), above = direction(i, 1.0), below = direction(-i, 1.0);
       const double apart = ggx.g1(wo) * ggx.g1(above);
-      // On one side, what is high is seen from both; on opposite sides it is hidden from one.
+      // On one side a high facet is visible from both directions, on opposite sides only from one.
       CHECK(ggx.g2(wo, above) <= std::min(ggx.g1(wo), ggx.g1(above)) * (1.0 + 1e-12));
       CHECK(ggx.g2(wo, above) >= apart * (1.0 - 1e-12));
       CHECK(ggx.g2(wo, below) <= apart * (1.0 + 1e-12));
@@ -78,7 +78,7 @@ TEST_CASE("joint masking lies between its bounds") {
   CHECK(ggx.g2(direction(0.5, 0.0), direction(0.0, 1.0)) == 0.0);
 }
 
-TEST_CASE("the albedo of one reflection, against a sum over directions") {
+TEST_CASE("the albedo of one reflection agrees with a sum over directions") {
   for (const double alpha : {0.3, 1.0})
     for (const double mu : {0.15, 0.5, 0.95}) {
       const Ggx ggx{alpha};
@@ -94,7 +94,7 @@ TEST_CASE("the albedo of one reflection, against a sum over directions") {
     }
 }
 
-TEST_CASE("tables give what they were made from") {
+TEST_CASE("tables return the functions that they were made from") {
   const CosineTable line([](double mu) { return 2.0 + std::sqrt(mu); });
   CHECK(line.at(CosineTable::place(0.3)) == Approx(2.0 + std::sqrt(0.3)).epsilon(1e-12));
   CHECK(line.at(CosineTable::place(1.0)) == Approx(3.0).epsilon(1e-12));

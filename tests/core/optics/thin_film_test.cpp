@@ -54,7 +54,7 @@ TEST_CASE("a quarter-wave film reflects ((n0 ns - n1^2) / (n0 ns + n1^2))^2") {
     }
 }
 
-TEST_CASE("a half-wave film, and one of no thickness, is not seen") {
+TEST_CASE("a half-wave film, and one of no thickness, changes nothing") {
   for (const double cos_i : {1.0, 0.7, 0.1})
     for (const double n1 : {1.38, 2.1}) {
       const double cos_1 = std::sqrt(1.0 - (1.0 - cos_i * cos_i) / (n1 * n1));
@@ -67,7 +67,7 @@ TEST_CASE("a half-wave film, and one of no thickness, is not seen") {
     }
 }
 
-TEST_CASE("a soap film in air at normal incidence") {
+TEST_CASE("a soap film in air reflects by its closed form at normal incidence") {
   // 4 R0 sin^2 d / ((1 - R0)^2 + 4 R0 sin^2 d), R0 = ((n - 1) / (n + 1))^2, d = 2 pi n t / lambda.
   const double n = 1.33, r0 = std::pow(0.33 / 2.33, 2);
   for (const double thickness : {20.0, 100.0, 350.0, 900.0})
@@ -79,7 +79,7 @@ TEST_CASE("a soap film in air at normal incidence") {
     }
 }
 
-TEST_CASE("films by Airy's sum and by characteristic matrices are the same") {
+TEST_CASE("Airy's sum and characteristic matrices give the same reflectance") {
   for (const double n0 : {1.0, 1.33, 1.7})
     for (const double n1 : {1.0, 1.38, 2.3})
       for (const Complex n2 :
@@ -99,9 +99,9 @@ TEST_CASE("light tunnels through a thin film at which it is totally reflected") 
   // Glass, air, glass at 60 degrees: nothing passes a thick gap, nearly all a very thin one.
   CHECK(thin_film_reflectance(0.5, 1.5, 1.0, 1.5, 5000.0, 500.0) == Approx(1.0).epsilon(1e-12));
   CHECK(thin_film_reflectance(0.5, 1.5, 1.0, 1.5, 1.0, 500.0) < 1e-3);
-  // Behind the film the light cannot go on: all of it comes back, whatever the film.
+  // Light cannot travel behind the film, so that all of it comes back, whatever the film.
   CHECK(thin_film_reflectance(0.5, 1.5, 1.38, 1.0, 100.0, 500.0) == 1.0);
-  // At the film's own critical angle the sum has a limit, which the matrix reaches beside it.
+  // At the film's own critical angle the sum has a limit, which the matrix reaches close to it.
   const double n1 = 1.5 * 0.8; // sin = 0.8, cos = 0.6
   CHECK(thin_film_reflectance(0.6, 1.5, n1, 1.5, 90.0, 500.0) ==
         Approx(by_matrix(0.6 + 1e-7, 1.5, n1, 1.5, 90.0, 500.0).reflected).epsilon(1e-5));

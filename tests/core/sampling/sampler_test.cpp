@@ -36,7 +36,7 @@ double cumulative(PixelFilter filter, double x) {
   switch (filter) {
   case PixelFilter::box:
     return x + 0.5;
-  case PixelFilter::tent: // density 1 - |x|
+  case PixelFilter::tent: // the pdf is 1 - |x|
     return x < 0.0 ? 0.5 * (1.0 + x) * (1.0 + x) : 1.0 - 0.5 * (1.0 - x) * (1.0 - x);
   case PixelFilter::gaussian: { // sigma 0.5, cut off at 3 sigma
     const double most = std::erf(3.0 / std::numbers::sqrt2);
@@ -53,7 +53,7 @@ TEST_CASE("any power of two of samples is stratified in each purpose") {
     for (int k = 0; k <= 10; ++k) {
       CAPTURE(purpose, k);
       CHECK(is_net(points(0, 1 << k, purpose), k));
-      CHECK(is_net(points(5 << k, 1 << k, purpose), k)); // and so is each later block of them
+      CHECK(is_net(points(5 << k, 1 << k, purpose), k)); // and so is each later block
     }
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("a sample's numbers depend on pixel, index, seed and purpose, and on n
 }
 
 // For independent uniform numbers the mean of (u - 1/2) (v - 1/2) over N has the standard deviation
-// 1 / (12 sqrt(N)): 0.0026 for 1024 pixels. Five of them.
+// 1 / (12 sqrt(N)), which is 0.0026 for 1024 pixels. The limit is five of them.
 TEST_CASE("purposes, neighbours and seeds are uncorrelated") {
   double purposes = 0.0, neighbours = 0.0, seeds = 0.0, axes = 0.0;
   constexpr int kSide = 32;
@@ -116,7 +116,7 @@ TEST_CASE("filter offsets invert the filter's cumulative distribution") {
   for (const PixelFilter filter : {PixelFilter::box, PixelFilter::tent, PixelFilter::gaussian})
     for (double u = 0.0; u < 1.0; u += 1.0 / 4096.0) {
       const dvec2 at = filter_offset(filter, {u, 1.0 - 0x1p-32 - u});
-      // the normal distribution's is a table of 1024 steps, coarse where it is thin
+      // The normal distribution's inverse is a table of 1024 steps, coarse where the pdf is low.
       REQUIRE(cumulative(filter, at.x) == Approx(u).margin(1e-4));
       REQUIRE(cumulative(filter, at.y) == Approx(1.0 - u).margin(1e-4));
       REQUIRE(std::abs(at.x) <= filter_radius(filter));
@@ -124,8 +124,8 @@ TEST_CASE("filter offsets invert the filter's cumulative distribution") {
     }
 }
 
-// Variances: box 1/12, tent 1/6, normal with sigma cut off at a = 3 sigma:
-// sigma^2 (1 - 2 a phi(a) / (2 Phi(a) - 1)).
+// The variance of the box is 1/12, that of the tent 1/6, and that of the normal distribution which
+// is truncated at a = 3 sigma is sigma^2 (1 - 2 a phi(a) / (2 Phi(a) - 1)).
 TEST_CASE("samples through a filter have its variance") {
   const double tail = 2.0 * 3.0 * std::exp(-4.5) / std::sqrt(2.0 * std::numbers::pi) /
                       std::erf(3.0 / std::numbers::sqrt2);

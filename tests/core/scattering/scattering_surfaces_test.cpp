@@ -35,7 +35,8 @@ public:
     hit_.entering = true;
     if (!plan_.media.empty()) hit_.medium_after = MediumId{0};
     scattering_.prepare(plan_.materials[0], plan_.materials[0].diffuse, hit_,
-                        -test::direction(cos_o, 0.4), 0, kBands, throughput_.data(), wavelengths_);
+                        -test::direction(cos_o, 0.4), {throughput_.data(), {0, kBands}},
+                        wavelengths_);
   }
   [[nodiscard]] Scattering& scattering() { return scattering_; }
   double evaluate(const dvec3& wi) { return scattering_.evaluate(wi, f_.data()); }
@@ -68,7 +69,7 @@ double goes_on(const Plan& plan, double cos_o, int band) {
     if (choice.kind == ScatterKind::refract) sum += static_cast<double>(s.transmitted()[band]);
     if (s.certain()) break;
   }
-  if (!s.spreads()) return sum;
+  if (!s.has_nonspecular()) return sum;
   const double chance = s.choose(0.0).chance; // of spreading
   constexpr int kCount = 8000;
   std::mt19937_64 random(3);
@@ -118,7 +119,7 @@ TEST_CASE("mixed materials are sampled with the density they tell, by live bands
       for (const int stride : {1, 3}) {
         INFO(text << ' ' << cos_o << ' ' << stride);
         Surface surface(plan, cos_o, Transport::radiance, stride);
-        REQUIRE(surface.scattering().spreads());
+        REQUIRE(surface.scattering().has_nonspecular());
         const double chance = surface.scattering().choose(0.0).chance;
         std::mt19937_64 random(5);
         std::uniform_real_distribution<double> uniform(0.0, 1.0);
@@ -136,14 +137,14 @@ TEST_CASE("a rough boundary between like media is none") {
       planned("speedOfLight 1 transparency 1 reflectivity 1 diffuse 0 0 0 roughness 0.5 cube");
   Surface surface(plan, 0.7, Transport::radiance);
   const Scattering& scattering = surface.scattering();
-  CHECK_FALSE(scattering.spreads());
+  CHECK_FALSE(scattering.has_nonspecular());
   CHECK(scattering.choose(0.5).kind == ScatterKind::refract);
 }
 
 TEST_CASE("only glass spreads light through") {
   const auto through = [](const std::string& text) {
     const Plan plan = planned(text);
-    return Surface(plan, 0.7, Transport::radiance).scattering().spreads_through();
+    return Surface(plan, 0.7, Transport::radiance).scattering().transmits_nonspecular();
   };
   CHECK(through("glass N-BK7 roughness 0.5 cube"));
   CHECK_FALSE(through("glass N-BK7 diffuse 1 1 1 cube"));

@@ -22,7 +22,7 @@ using test::Folder;
 
 namespace {
 
-/// A picture of 3 x 2 pixels beside which scenes lie.
+/// An image of 3 x 2 pixels beside which scenes lie.
 struct Pictures {
   Folder folder;
   std::vector<std::string> warnings;
@@ -73,7 +73,7 @@ struct Pictures {
 
 } // namespace
 
-TEST_CASE("an environment is a picture with its colours") {
+TEST_CASE("an environment is an image with its colours") {
   Pictures pictures;
   const Scene scene = pictures.read("environment sky.exr sphere");
   REQUIRE(scene.environment);
@@ -109,7 +109,7 @@ TEST_CASE("an environment takes a factor, a spectrum, and the turn of the curren
   CHECK(glm::length(turn[2] - dvec3(1, 0, 0)) < 1e-14);
 }
 
-TEST_CASE("a picture of luminance alone is grey, whatever its primaries") {
+TEST_CASE("an image of luminance alone is grey, whatever its primaries") {
   Pictures pictures;
   pictures.write_one_channel("grey.exr", "Y");
   const Scene scene = pictures.read("environment grey.exr");
@@ -118,7 +118,7 @@ TEST_CASE("a picture of luminance alone is grey, whatever its primaries") {
   CHECK(pictures.warnings.empty());
 }
 
-TEST_CASE("the tags of a picture say what its colours are") {
+TEST_CASE("the tags of an image say what its colours are") {
   Pictures pictures;
   // Red, green and blue of ACEScg in linear sRGB, Bradford-adapted to D65. (source: the matrix that
   // OpenColorIO's ACES configurations and Lindbloom's formulas give, five digits)
@@ -176,7 +176,7 @@ TEST_CASE("a tag that is not known is told of") {
                                   "read as linear sRGB") != std::string::npos);
 }
 
-TEST_CASE("a picture that declares more than memory may hold is refused by its header") {
+TEST_CASE("an image that declares more than memory may hold is refused by its header") {
   Pictures pictures;
   // A header for 60000 x 60000 pixels, as OpenEXR writes it, and nothing after it.
   Imf::Header header(60000, 60000);
@@ -187,29 +187,29 @@ TEST_CASE("a picture that declares more than memory may hold is refused by its h
   }
   CHECK(pictures.error("environment vast.exr") ==
         "s.sdl:1:13: \"vast.exr\" cannot be read (its 60000 x 60000 pixels would take 40.2 GiB of "
-        "memory, and 2 GiB is the most for an image). Write the picture again, as OpenEXR");
+        "memory, and 2 GiB is the most for an image). Write the image again, as OpenEXR");
 }
 
 TEST_CASE("errors of environments") {
   Pictures pictures;
   CHECK(pictures.error("environment nowhere.exr") ==
-        "s.sdl:1:13: there is no file \"nowhere.exr\" (pictures are found relative to the file "
+        "s.sdl:1:13: there is no file \"nowhere.exr\" (images are found relative to the file "
         "that names them). Check the name, or write the whole path");
   std::ofstream(pictures.folder.path / "text.exr") << "no picture";
   CHECK(pictures.error("environment text.exr").find("s.sdl:1:13: \"text.exr\" cannot be read (") ==
         0);
   CHECK(pictures.error("environment .") ==
-        "s.sdl:1:13: \".\" cannot be read (it is a folder). Write the picture again, as OpenEXR");
+        "s.sdl:1:13: \".\" cannot be read (it is a folder). Write the image again, as OpenEXR");
   pictures.write_one_channel("depth.exr", "Z");
   CHECK(pictures.error("environment depth.exr") ==
         "s.sdl:1:13: \"depth.exr\" cannot be read (it has neither full channels R, G and B nor a "
-        "full channel Y). Write the picture again, as OpenEXR");
+        "full channel Y). Write the image again, as OpenEXR");
   for (const float value :
        {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
     pictures.write("bad.exr", value);
     CHECK(pictures.error("environment bad.exr") ==
           "s.sdl:1:13: \"bad.exr\" has a pixel that is no number (the one in column 1, row 1). "
-          "Mend the picture");
+          "Mend the image");
   }
   CHECK(pictures.error("environment sky.exr -1") ==
         "s.sdl:1:21: -1 is out of range for environment (it is a factor on the picture). Give a "

@@ -329,7 +329,7 @@ TEST_CASE("an EXR without pixels is an error and no file") {
   const Folder folder;
   const fs::path path = folder.path / "picture.exr";
   CHECK_THROWS_WITH(write_exr(path, {}, ExrPixel::half),
-                    "cannot write " + path.string() + ": the picture has no pixels");
+                    "cannot write " + path.string() + ": the image has no pixels");
   CHECK_THROWS_AS(test::write_whole_spectral_exr(path, {}), std::runtime_error);
   CHECK(fs::is_empty(folder.path));
 }

@@ -60,7 +60,7 @@ const SpectralImage spectral{window, window, {400.0, 500.0}, noise(64 * 48 * 2),
 
 } // namespace
 
-TEST_CASE("a picture that half floats cannot hold is written as floats, and told") {
+TEST_CASE("an image that half floats cannot hold is written as floats, and told") {
   const Folder folder;
   SceneLinearImage bright{pixel, pixel, {1.0f, 1.0f, 65520.0f, 1.0f}, {}};
   const fs::path path = folder.path / "a.exr";
@@ -116,7 +116,7 @@ TEST_CASE("the options reach their writers") {
   CHECK(size_of("b.png", large) > size_of("a.png", small) + 64 * 48 * 2);
 }
 
-TEST_CASE("on a full disk every writer fails, keeps the old picture and leaves nothing behind") {
+TEST_CASE("on a full disk every writer fails, keeps the old image and leaves nothing behind") {
   const auto write_picture = [](const fs::path& path) {
     write_image(path, scene_linear, display, {});
   };
@@ -159,7 +159,7 @@ TEST_CASE("on a full disk every writer fails, keeps the old picture and leaves n
   }
 }
 
-TEST_CASE("pictures without pixels are errors, not crashes") {
+TEST_CASE("images without pixels are errors, not crashes") {
   const Folder folder;
   for (const PixelWindow& empty : {PixelWindow{0, 0, 0, 0}, PixelWindow{5, 5, 5, 9},
                                    PixelWindow{5, 5, 9, 5}, PixelWindow{9, 9, 5, 5}})
@@ -168,7 +168,7 @@ TEST_CASE("pictures without pixels are errors, not crashes") {
       for (const char* name : {"a.exr", "a.tif", "a.png"}) {
         const fs::path path = folder.path / name;
         CHECK_THROWS_WITH(write_image(path, {whole, part, {}, {}}, {whole, part, {}, {}, {}}, {}),
-                          "cannot write " + path.string() + ": the picture has no pixels");
+                          "cannot write " + path.string() + ": the image has no pixels");
       }
   CHECK(folder.file_count() == 0);
 }

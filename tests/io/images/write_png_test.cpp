@@ -21,7 +21,7 @@ using test::Folder;
 
 namespace {
 
-/// A whole picture, by libpng itself. An error of libpng ends the test program (its default).
+/// A whole image, by libpng itself. An error of libpng ends the test program (its default).
 struct Png {
   png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
   png_infop info = png_create_info_struct(png);
@@ -141,7 +141,7 @@ TEST_CASE("a PNG without pixels or of unknown depth is an error and no file") {
   const Folder folder;
   const fs::path path = folder.path / "picture.png";
   CHECK_THROWS_WITH(write_png(path, {}),
-                    "cannot write " + path.string() + ": the picture has no pixels");
+                    "cannot write " + path.string() + ": the image has no pixels");
   CHECK_THROWS_WITH(write_png(path, ramp(full_frame, crop, 255), 12),
                     "cannot write " + path.string() + ": PNG takes 8 or 16 bits here, not 12");
   CHECK(fs::is_empty(folder.path));

@@ -190,7 +190,7 @@ TEST_CASE("a TIFF without pixels is an error and no file") {
   const fs::path path = folder.path / "picture.tif";
   for (const TiffDepth depth : {TiffDepth::bits8, TiffDepth::bits16, TiffDepth::float32}) {
     CHECK_THROWS_WITH(write_tiff(path, {}, depth),
-                      "cannot write " + path.string() + ": the picture has no pixels");
+                      "cannot write " + path.string() + ": the image has no pixels");
     CHECK(fs::is_empty(folder.path));
   }
 }

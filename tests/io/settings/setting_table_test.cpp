@@ -65,7 +65,7 @@ const std::map<std::string_view, Example> kExamples{
 // These are of one run on one machine, not of a scene.
 const std::set<std::string_view> kNotInScenes{"--time", "--errors", "--threads", "--skip",
                                               "--tracing"};
-// Those, and what the windows and channels of a picture file tell.
+// Those, and what the windows and channels of an image file tell.
 const std::set<std::string_view> kNotInMetadata{"--errors",  "--size", "--crop",
                                                 "--threads", "--skip", "--tracing"};
 
@@ -223,7 +223,7 @@ TEST_CASE("defaults in words agree with the program's constants") {
   CHECK(find_color_space("srgb") == DisplaySettings{}.space);
 }
 
-TEST_CASE("a picture file tells every setting that shaped the picture") {
+TEST_CASE("an image file tells every setting that shaped the image") {
   Plan plan;
   plan.settings.integrator = Integrator::path; // where all of them matter
   plan.settings.noise = 0.5;

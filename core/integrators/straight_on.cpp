@@ -1,8 +1,8 @@
-#include "core/integrators/unseen_boundary.h"
+#include "core/integrators/straight_on.h"
 
 namespace abbe {
 
-void pass_unseen_boundary(Bundle& bundle) {
+void go_straight_on(Bundle& bundle) {
   const Hit& hit = bundle.hit;
   if (!bundle.straight_on) bundle.passage = {};
   bundle.straight_on = true;

@@ -1,5 +1,5 @@
 #include "core/bundles/extend.h"
-#include "core/integrators/unseen_boundary.h"
+#include "core/integrators/straight_on.h"
 #include "tests/catch.h"
 #include "tests/core/integrators/walk_scene.h"
 
@@ -19,7 +19,7 @@ TEST_CASE("through a boundary that is not seen a ray goes straight on, and keeps
   REQUIRE(bundle.hit.met());
   REQUIRE(s.plan.unseen(bundle.hit));
   for (const double length : {2.0, 4.0}) { // into the drops, and out of them
-    pass_unseen_boundary(bundle);
+    go_straight_on(bundle);
     CHECK_FALSE(bundle.traced);
     CHECK(bundle.unseen_length == Approx(length));
     CHECK(bundle.path_length == Approx(7.0 + length));
