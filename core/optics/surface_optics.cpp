@@ -15,7 +15,8 @@ Fractions SurfaceOptics::fractions(int b, double cos_i) const {
                    : conductor_reflectance(cos_i, n_before[b], metal_n[b], metal_k[b]);
     return {reflected, 0.0};
   }
-  if (!film_shows) return dielectric_fractions(fresnel, cos_i, n_before[b], n_after[b]);
+  if (!film_shows || !fresnel)
+    return dielectric_fractions(fresnel, cos_i, n_before[b], n_after[b]);
   const double reflected = thin_film_reflectance(cos_i, n_before[b], film.index[b], n_after[b],
                                                  film.thickness_nm, film.lambda_nm[b]);
   return {reflected, 1.0 - reflected};

@@ -4,7 +4,7 @@
 
 function(count_instructions bands count)
   execute_process(
-    COMMAND ${VALGRIND} --tool=callgrind --callgrind-out-file=/dev/null "--toggle-collect=abbe::render(*"
+    COMMAND ${VALGRIND} --tool=callgrind --callgrind-out-file=/dev/null "--toggle-collect=abbe::render(*SampleRange*"
             ${ABBE} render ${SCENE} --size 24x24 --spp 1 --threads 1 --bands ${bands} -o instructions.exr
     OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE code)
   if(NOT code EQUAL 0 OR NOT said MATCHES "Collected : ([0-9]+)")
