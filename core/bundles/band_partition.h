@@ -17,7 +17,7 @@ enum class BandVerdict {
   apart     ///< its bands should have rays of their own
 };
 
-/// How a range of bands goes on where they part.
+/// A range of bands that goes on, and how.
 struct BandPart {
   enum class Kind {
     single,     ///< it is one band
@@ -28,7 +28,7 @@ struct BandPart {
   Kind kind;
 };
 
-/// Rays by which a partition goes: `prepare` is told the ranges that will be judged next, so that
+/// Rays that decide a partition: `prepare` is told the ranges that will be judged next, so that
 /// rays may be traced together.
 template <class Rays>
 concept BandRays = requires(Rays& rays, std::span<const BandRange> ranges, BandRange range) {
@@ -36,8 +36,8 @@ concept BandRays = requires(Rays& rays, std::span<const BandRange> ranges, BandR
   { rays.judge(range) } -> std::same_as<BandVerdict>;
 };
 
-/// Parts ranges of bands, in scenes and in a camera's lens. It keeps its memory from one to the
-/// next.
+/// Parts ranges of bands, in scenes and in a camera's lens. It keeps its memory from one partition
+/// to the next.
 class BandPartition {
 public:
   /// Halves ranges of bands by their shares, all of one size before the next smaller, until the

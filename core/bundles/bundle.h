@@ -17,7 +17,7 @@ struct Bundle {
   bool traced = false;            ///< whether `hit` is known already, see extend.h
   Hit hit;                        ///< what the ray meets next
   bool straight_on = false;       ///< the ray goes on behind a boundary that bends no light
-  Passage passage;                ///< what it must remember of such boundaries, where it does
+  Passage passage;                ///< what the ray must remember of such boundaries
   int depth = 0;                  ///< how many surfaces the path has met so far
   int panes = 0;                  ///< how many panes it went straight through, which do not count
   double path_length = 0.0;       ///< from the camera to the ray's origin
@@ -25,13 +25,13 @@ struct Bundle {
   /// boundaries that are not seen.
   double unseen_length = 0.0;
 
-  /// The solid-angle density with which the ray's direction was sampled from a BSDF; 0 after a
+  /// The pdf per steradian with which the ray's direction was sampled from a BSDF; 0 after a
   /// specular reflection or refraction, and for a ray of the camera.
   double pdf = 0.0;
   int nonspecular_bounces = 0;     ///< how many surfaces have scattered it other than specularly
   int first_nonspecular_depth = 0; ///< its depth before the first of them
-  /// Whether a pixel's width tells which rays are close together. That is lost where a surface
-  /// scatters the path other than specularly, and no light path has it.
+  /// Whether a pixel's width tells which rays are close together. It no longer does once a surface
+  /// has scattered the path other than specularly, and on a light path it never does.
   bool has_pixel_footprint = true;
 
   // The bundle's own footprint: how far the rays of its outermost bands would have moved apart by
@@ -65,8 +65,8 @@ inline void set_off(const Bundle& bundle, const dvec3& direction, bool through, 
 }
 
 /// One of the bundles that a camera sample starts with. Its ray, and what that meets, lie beside
-/// it. The bands of a sample start as one bundle, unless a lens has parted them; bands that are not
-/// in any carry nothing.
+/// it. The bands of a sample start as one bundle, unless a lens has parted them; bands that are
+/// in none of them carry nothing.
 struct CameraBundle {
   BandRange bands;
   float weight = 1.0f;                       ///< on what its bands carry

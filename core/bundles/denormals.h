@@ -5,7 +5,7 @@
 namespace abbe {
 
 /// While it lives, denormal numbers are flushed to zero on this thread: they are slow and far below
-/// any picture's precision.
+/// any image's precision.
 class DenormalsOff {
 public:
   DenormalsOff() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | 0x8040u); }

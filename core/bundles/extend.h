@@ -7,7 +7,7 @@
 namespace abbe {
 
 // A path has two kinds of steps. *Shading* says what happens where a bundle's ray has met a
-// surface: it adds light to the picture and leaves bundles that wait, most of them untraced.
+// surface: it adds light to the film and leaves bundles that wait, most of them untraced.
 // *Extending* finds what a waiting bundle's ray meets, and does nothing else; so any number of
 // bundles may be extended together, in any order. A bundle of a Fan that had to trace rays to learn
 // which bands may share one brings its hit along, and is not traced again.

@@ -115,7 +115,7 @@ double Fan::parted(BandRange range) const {
                        refracted_direction(n_before_[range.last - 1], n_after_[range.last - 1]));
 }
 
-/// Rays of the outermost bands of the range are traced already.
+/// Requires that rays of the outermost bands of the range have been traced.
 bool Fan::may_share(BandRange range) const {
   if (!all_would_leave(range)) return false;
   const Hit &a = hit_of(range.first), &b = hit_of(range.last - 1);
@@ -130,8 +130,8 @@ bool Fan::may_share(BandRange range) const {
 }
 
 /// How many sub-bundles of a range may be followed. The noise of a branch kept as m of them goes as
-/// importance^2 / m and its cost as m, so the least noise for a given cost is had with m in
-/// proportion to importance.
+/// importance^2 / m and its cost as m, so a given cost leaves the least noise with m in proportion
+/// to importance.
 std::size_t Fan::sub_bundles_allowed(BandRange range) const {
   if (plan_.follows_all()) return static_cast<std::size_t>(range.size());
   const double share =
@@ -139,7 +139,8 @@ std::size_t Fan::sub_bundles_allowed(BandRange range) const {
   return static_cast<std::size_t>(std::max(1.0, std::round(share)));
 }
 
-/// The rule where no pixel's width says what is close together: equal parts, as many as allowed.
+/// The rule where no pixel's width says what is close together: it cuts the bands into equal parts,
+/// as many as are allowed.
 void Fan::cut(BandRange whole) {
   const int parts = std::min(static_cast<int>(sub_bundles_allowed(whole)), whole.size());
   strata_.clear();
@@ -214,7 +215,7 @@ void Fan::part(BandRange whole, PathWavelengths& wavelengths, RayCounts& counts)
     }
 }
 
-/// Of each range that could not be parted further one band goes on for all.
+/// In each range that could not be parted further one band goes on for all.
 void Fan::keep_one_of_each_stratum() {
   for (const BandRange& r : strata_) {
     const auto [band, weight] = plan_.shares.keep_one(r, limits_.choice);

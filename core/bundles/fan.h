@@ -23,8 +23,8 @@ struct FanCell {
 /// Makes `next` the sub-bundle with which `bundle` goes on behind its hit. Both may be the same.
 void go_on_as(const FanCell& cell, const Bundle& bundle, Bundle& next);
 
-/// Splits bundles where a boundary bends each band its own way. This is the one place in a scene
-/// where dispersion parts bands:
+/// Splits bundles where a boundary bends each band along a direction of its own. This is the one
+/// place in a scene where dispersion parts bands:
 ///   tolerance: bands go on sharing a ray while the rays of the outermost two of them meet the same
 ///     surface closer together than a fraction of the pixel's width there;
 ///   roulette: no more than a path's share of sub-bundles is followed; a range of bands that would
@@ -36,7 +36,7 @@ public:
 
   /// What decides how finely a bundle parts, and what is kept of it.
   struct Limits {
-    double importance; ///< how much of what the bands meet they bring to the picture
+    double importance; ///< how much of what the bands meet they bring to the image
     double choice;     ///< the path's number for the roulette, in [0, 1)
   };
 
@@ -87,7 +87,7 @@ private:
   std::vector<Hit> hits_;
   std::vector<int> ray_of_band_; ///< negative: none yet
   BandPartition partition_;
-  std::vector<BandRange> strata_; ///< of each of which one band goes on
+  std::vector<BandRange> strata_; ///< ranges of which one band each goes on
   std::vector<FanCell> cells_;
 };
 

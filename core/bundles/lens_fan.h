@@ -9,7 +9,8 @@
 
 namespace abbe {
 
-/// Parts the bands of a camera sample where the lens bends each its own way, by the rules of Fan:
+/// Parts the bands of a camera sample where the lens bends each along a direction of its own, by
+/// the rules of Fan:
 ///   tolerance: bands share a ray while those of the outermost two, and of the middle one, leave
 ///     the lens close together;
 ///   roulette: at most `max_fan` sub-bundles start; a range of bands that would need more keeps one
@@ -66,7 +67,7 @@ private:
   std::vector<double> n_; ///< the media's indices at one wavelength
   std::vector<BandRay> band_rays_;
   BandPartition partition_;
-  std::vector<CameraBundle>* bundles_ = nullptr; ///< where the sample's go
+  std::vector<CameraBundle>* bundles_ = nullptr; ///< where the sample's bundles go
   std::vector<RayState>* states_ = nullptr;
 };
 

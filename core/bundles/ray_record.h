@@ -8,7 +8,7 @@
 namespace abbe {
 
 /// What sends a ray. `scattered`: a surface that scatters light other than specularly. `light`: a
-/// lamp.
+/// light.
 enum class RayKind : std::uint8_t { camera, reflected, refracted, scattered, shadow, light };
 
 /// The rays of a rendering in the order in which they were traced, for measurements. It grows by
@@ -17,7 +17,7 @@ struct RayRecord {
   /// A run of rays of one kind that were handed to the world together or one after the other.
   struct Run {
     RayKind kind;
-    bool any_hit;      ///< asked only whether something is in the way, not what
+    bool any_hit;      ///< asked only whether something lies before that distance, not what
     std::size_t count; ///< how many rays of `states` and `distances` belong to it
   };
   std::vector<Run> runs;

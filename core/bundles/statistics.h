@@ -10,10 +10,11 @@ namespace abbe {
 /// How many rays were traced, by kind, and what light paths left behind.
 struct RayCounts {
   std::uint64_t camera = 0, reflected = 0, refracted = 0, scattered = 0, shadow = 0, light = 0;
-  std::uint64_t splats = 0, photons = 0; ///< added to the film; kept for the photon map
+  std::uint64_t splats = 0,
+                photons = 0;   ///< what was added to the film, and kept for the photon map
   RayRecord* record = nullptr; ///< keeps the rays themselves, where somebody wants to know them
 
-  /// Of the rays.
+  /// The number of all rays.
   [[nodiscard]] std::uint64_t total() const {
     return camera + reflected + refracted + scattered + shadow + light;
   }

@@ -13,7 +13,7 @@ namespace abbe {
 /// A bundle and what its bands carry.
 struct CarriedBundle {
   Bundle bundle;
-  std::vector<float> row; ///< of Plan::stride values, of which those of the bundle's bands hold
+  std::vector<float> row; ///< Plan::stride values, of which those of the bundle's bands are valid
 
   explicit CarriedBundle(std::size_t stride) : row(stride) {}
 

@@ -15,10 +15,10 @@ namespace abbe {
 using glm::dvec2;
 
 /// What all paths through a scene have in common, those of both integrators and those of light: one
-/// bundle on its way, others that wait, and the specular steps from a surface to the next.
+/// current bundle, others that wait, and the specular steps from a surface to the next.
 ///
 /// A path is `while (take()) { extend(); ... }`, where the dots shade: they may let bundles wait,
-/// that on its way among them. See core/bundles/extend.h.
+/// the current one among them. See core/bundles/extend.h.
 class BundleWalk {
 protected:
   /// Keeps references. `pixel_angle` is that of Fan.
@@ -37,7 +37,7 @@ protected:
   [[nodiscard]] bool take() { return waiting_.take(carried_); }
   /// Finds what the bundle's ray meets.
   void extend() { abbe::extend(bundle(), world_, *counts_); }
-  /// The bundle waits for its next turn. Until then there is none on its way.
+  /// The bundle waits for its next turn. Until then there is no current one.
   void wait() { waiting_.put(carried_); }
 
   /// A new bundle of these bands that waits; its throughput is the current one times factors per
@@ -46,17 +46,17 @@ protected:
   /// The same, along the reflected ray of the current bundle's hit.
   void branch_off_reflection(const float* factors, double weight);
   /// Sub-bundles that are refracted at the current bundle's hit wait; the current throughput is
-  /// already what passes. Bands of `run` have some; `importance` is what they bring to the picture.
+  /// already what passes. Bands of `run` have some; `importance` is what they bring to the image.
   void branch_off_refraction(BandRange run, double importance);
 
   [[nodiscard]] dvec3 reflected_direction() const;
 
-  /// How much of what they meet in a medium bands bring to the picture, when `most` is the largest
+  /// How much of what they meet in a medium bands bring to the image, when `most` is the largest
   /// throughput among them and `first` the first of them.
   [[nodiscard]] double importance(float most, int first, MediumId medium);
   /// The same for the current bundle.
   [[nodiscard]] double importance(MediumId medium);
-  /// What bands of this importance bring of the picture's light, up to 1 for all: see BandShares.
+  /// What bands of this importance bring of the image's light, up to 1 for all: see BandShares.
   [[nodiscard]] double share(double importance, BandRange bands) const {
     return importance * plan_.shares.of(bands);
   }
@@ -72,7 +72,7 @@ private:
   Fan fan_;
   double band_choice_ = 0.0;
   WaitingBundles waiting_;
-  std::unique_ptr<CarriedBundle> carried_; ///< the bundle on its way
+  std::unique_ptr<CarriedBundle> carried_; ///< the current bundle
 };
 
 } // namespace abbe

@@ -16,7 +16,7 @@ namespace abbe {
 class LightPaths;
 
 /// How far the light passes of a rendering have come. With the film it is all that is needed to go
-/// on: the photon map is filled anew by the same paths.
+/// on: the same paths fill the photon map anew.
 struct LightPassState {
   int passes = 0;                   ///< that have begun
   SampleRange samples;              ///< camera samples that the current pass is for

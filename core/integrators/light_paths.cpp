@@ -88,8 +88,8 @@ void LightPaths::shade() {
   if (!hit.met() || bundle().depth >= plan_.settings.max_depth) return;
   if (!arrive()) return wait();
   const MaterialPlan& material = find_material();
-  // Where light comes straight from its lamp, or has just been scattered, its scattering is the
-  // camera paths' to find.
+  // Light that comes straight from its light, or that a surface has just scattered other than
+  // specularly, is left to the camera paths.
   const bool at_once = bundle().depth == 0 || bundle().pdf > 0.0;
   if (at_once && !material.facts().specular()) return;
   prepare_scattering();

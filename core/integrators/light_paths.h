@@ -10,7 +10,7 @@
 
 namespace abbe {
 
-/// Light paths go from a lamp by way of mirrors and glass to the first surfaces that scatter the
+/// Light paths go from a light by way of mirrors and glass to the first surfaces that scatter the
 /// light other than specularly. There they are connected to the camera (a splat), and kept for the
 /// photon map; from there they may go by mirrors and glass once more, to a surface that the camera
 /// sees. One object serves one thread.
@@ -26,7 +26,7 @@ public:
              double photon_share, RayCounts& counts);
 
 private:
-  /// Starts the bundle of a path. False where its lamp has no light in any band.
+  /// Starts the bundle of a path. False where its light is dark in all bands.
   bool start(const EmittedRay& ray);
   /// Takes the traced bundle to what its ray has met, less what the medium absorbs. False where
   /// that is a boundary that is not seen: the bundle then goes on behind it, untraced.

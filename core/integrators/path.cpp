@@ -5,7 +5,7 @@
 namespace abbe {
 namespace {
 
-/// A branch is followed for sure when it brings this part of what the picture's bands could.
+/// A branch is followed for sure when it brings this part of what the image's bands could.
 constexpr double kBranchShare = 1.0 / 32.0;
 
 } // namespace
@@ -70,8 +70,8 @@ void Path::gather() {
   sums_->add(material.emission_source, throughput(), ones_, static_cast<float>(weight));
 }
 
-/// True for light that goes from a lamp by mirrors and glass to a surface that scatters it, where
-/// light paths find it, or shadow rays that pass through glass count it in their way.
+/// True for light that goes from a light by mirrors and glass to a surface that scatters it, where
+/// light paths find it, or shadow rays that pass through glass count it.
 bool Path::found_otherwise(const Hit& emitting) const {
   if (!comes_by_mirrors_and_glass() || !found_otherwise_) return false;
   return !emission_ || emission_->emits(emitting.shape);
@@ -149,7 +149,7 @@ void Path::sample_light(const Hit& hit) {
   if (!arriving) return;
   double weight = sample->weight;
   if (shadow_rays_.through_glass()) {
-    // Paths that meet the lamp behind glass leave it to this ray, but not the environment.
+    // Paths that meet the light behind glass leave it to this ray, but not the environment.
     if (sample->environment) return;
   } else if (sample->pdf > 0.0) {
     weight *= sample->pdf / (sample->pdf + pdf);

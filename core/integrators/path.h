@@ -12,10 +12,10 @@
 namespace abbe {
 
 /// Global illumination by random paths from the camera [Kajiya86], per band, for whole bundles of
-/// bands. A path goes on one way from each surface, and two ways where the camera sees glass by way
-/// of glass and mirrors alone. Wherever a surface scatters light other than specularly a lamp is
-/// sampled, and both ways of reaching a lamp are weighed against each other [Veach97]. Paths that
-/// carry little are ended at random. At a fixed number of samples the picture is unbiased.
+/// bands. A path goes on along one direction from each surface, and along two where the camera sees
+/// glass through glass and mirrors alone. Wherever a surface scatters light other than specularly a
+/// light is sampled, and both techniques of reaching it are weighed against each other [Veach97].
+/// Paths that carry little are ended at random. At a fixed number of samples the image is unbiased.
 ///
 /// With light-side passes, light that reaches such a surface through glass or by mirrors comes from
 /// the photon map, and camera paths leave it out; see docs/decisions/caustics.md.
@@ -33,7 +33,7 @@ private:
   void shade();
   /// Adds what the bundle sees by itself: the background, or light that a surface emits.
   void gather();
-  /// Adds what lamps and photons bring to the bundle's hit, and lets what goes on from there wait.
+  /// Adds what lights and photons bring to the bundle's hit, and lets what goes on from there wait.
   void go_on();
   /// The same where the path has met as many surfaces as it may.
   void look_through();
@@ -49,7 +49,7 @@ private:
   const Lights& lights_;
   const PhotonMap* photons_;
   const Emission* emission_;
-  bool found_otherwise_; ///< whether light that comes from lamps by mirrors and glass is
+  bool found_otherwise_; ///< whether light paths or shadow rays find light by mirrors and glass
   ShadowRays shadow_rays_;
   SingleScatter single_scatter_;
   RadianceSums* sums_ = nullptr;

@@ -11,7 +11,8 @@
 
 namespace abbe {
 
-/// Light that has come from a lamp by way of mirrors and glass to a surface that spreads it.
+/// Light that has come from a light by mirrors and glass to a surface that scatters it other than
+/// specularly.
 struct Photon {
   dvec3 position{0.0};
   dvec3 direction{0.0}; ///< of travel, unit

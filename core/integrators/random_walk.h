@@ -6,7 +6,7 @@
 
 namespace abbe {
 
-/// What camera paths and light paths have in common where they go on at random: one way on from
+/// What camera paths and light paths have in common where they go on at random: one direction from
 /// each surface, chosen by what each would bring, and paths that carry little ended by Russian
 /// roulette.
 class RandomWalk : protected BundleWalk {

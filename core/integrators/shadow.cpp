@@ -36,7 +36,7 @@ bool ShadowRays::attenuate(RayState state, double distance, BandRange bands,
   Passage passage;
   for (;;) {
     counts.add(RayKind::shadow, state);
-    // Of what lies at the end of the way nothing counts: rounding must not decide whether it does.
+    // What lies at the very end does not count: rounding must not decide whether it is met.
     world_.find_closest(state, distance, passage, hit);
     const double length = hit.met() ? hit.t : distance;
     const MediumId medium = hit.met() ? hit.medium_before : world_.medium_of(state.nesting);

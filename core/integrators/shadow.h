@@ -14,12 +14,12 @@ class ShadowRays {
 public:
   ShadowRays(const Plan& plan, const World& world);
 
-  /// What of a lamp's light arrives along a straight shadow ray, per band; null where none does.
+  /// What of a light's light arrives along a straight shadow ray, per band; null where none does.
   /// Full transmittance is a band array of ones. The array is valid until the next call.
   [[nodiscard]] const float* transmittance(const RayState& towards_light, double distance,
                                            BandRange bands, PathWavelengths& wavelengths,
                                            RayCounts& counts);
-  /// The same along any straight way, whatever the scene says of shadows.
+  /// The same along any straight line, whatever the scene says of shadows.
   [[nodiscard]] const float* along(const RayState& state, double distance, BandRange bands,
                                    PathWavelengths& wavelengths, RayCounts& counts);
   /// True when the last one that arrived went through glass.

@@ -11,19 +11,19 @@
 
 namespace abbe {
 
-/// The light of lamps that drops scatter once into the rays of a path. One object serves one
+/// The light that drops scatter once into the rays of a path. One object serves one
 /// thread.
 ///
 /// Along a stretch of length T through drops of extinction s, a band gathers
 ///   L = integral from 0 to T of s exp(-(s + a) t) p(angle) E(t) V(t) dt,
-/// where a is the absorption between the drops, p their phase function, E the lamp's irradiance and
-/// V what of it arrives. One place is drawn per stretch, with the pdf s exp(-s t) / (1 - exp(-s
+/// where a is the absorption between the drops, p their phase function, E the light's irradiance
+/// and V what of it arrives. One place is drawn per stretch, with the pdf s exp(-s t) / (1 - exp(-s
 /// T)).
 class SingleScatter {
 public:
   /// Each place gets the light of all the scene's lights. Keeps references to all.
   SingleScatter(const Scene& scene, const Plan& plan, const World& world);
-  /// Each place gets the light of one lamp, drawn. Keeps references to all.
+  /// Each place gets the light of one light, drawn. Keeps references to all.
   SingleScatter(const Lights& lights, const Plan& plan, const World& world);
 
   /// Starts a path, whose drops send their light to `sums`. Keeps references to all but the
@@ -38,7 +38,7 @@ public:
   [[nodiscard]] bool arrive(Bundle& bundle, BandSpan<float> throughput);
 
 private:
-  /// What a lamp sends to a place: `weight` times its spectrum is irradiance.
+  /// What a light sends to a place: `weight` times its spectrum is irradiance.
   struct IncomingLight {
     dvec3 direction;
     double distance, weight;
@@ -62,7 +62,7 @@ private:
   dvec2 place_{0.5}, light_point_{0.5};
   std::vector<IncomingLight> incoming_; ///< those that shine on the place drawn
   std::vector<float> seen_;             ///< the throughput there
-  std::vector<float> lit_;              ///< the same times what a lamp sends
+  std::vector<float> lit_;              ///< the same times what a light sends
 };
 
 } // namespace abbe

@@ -10,7 +10,7 @@ void go_straight_on(Bundle& bundle) {
   bundle.path_length += hit.t;
   bundle.separation += bundle.divergence * hit.t;
   bundle.kind = RayKind::refracted;
-  // Where no way leads on, the ray meets nothing.
+  // Where the ray cannot go on, it meets nothing.
   bundle.traced = !bundle.passage.go_through(hit, bundle.state);
   if (bundle.traced) bundle.hit.shape = {};
 }

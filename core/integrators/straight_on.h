@@ -4,9 +4,9 @@
 
 namespace abbe {
 
-/// Takes a bundle straight through the boundary that it has met: one that Plan::unseen knows, or a
-/// pane. Its ray is untraced then. No surface is counted, and what the medium before the boundary
-/// absorbs is the caller's to apply.
+/// Takes a bundle straight through what it has met: a boundary that Plan::unseen knows, or a pane.
+/// Its ray is untraced then. No surface is counted, and what the medium before the boundary absorbs
+/// is the caller's to apply.
 void go_straight_on(Bundle& bundle);
 
 } // namespace abbe

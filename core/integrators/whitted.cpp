@@ -75,8 +75,8 @@ void Whitted::shade(const Bundle& bundle, const MaterialPlan& material, Radiance
   if (material.lit()) add_lights(bundle, material, sums, counts);
 }
 
-/// What arrives of a lamp's light, `lit_`, sent back by a coated ground, with lambert's cosine. The
-/// thesis's lamps give pi times the light that a diffuse surface of theirs would need.
+/// What arrives of a light's light, `lit_`, sent back by a coated ground, with Lambert's cosine.
+/// The thesis's lights give pi times the light that a diffuse surface of theirs would need.
 BandSpan<const float> Whitted::diffuse_under_coat(const Bundle& bundle,
                                                   const MaterialPlan& material,
                                                   const BandTable& diffuse, double cos_o,
@@ -169,7 +169,7 @@ void Whitted::pass(const float* factors) {
   wait();
 }
 
-/// The last that is done with a bundle: its throughput becomes what passes.
+/// The last step of a bundle: its throughput becomes what passes.
 void Whitted::refract(const float* factors) {
   scale(factors, 1.0);
   const BandSpan<const float> passing = throughput();

@@ -12,7 +12,7 @@
 namespace abbe {
 
 /// The thesis's model of light [War05, 4.6; Whitted80], per band: ambient, emitted, Lambert and
-/// Phong (with Blinn's half vector) light of the lamps, and the trees of reflected and refracted
+/// Phong (with Blinn's half vector) light of the lights, and the trees of reflected and refracted
 /// rays.
 class Whitted final : public CameraIntegrator, private BundleWalk {
 public:

@@ -27,7 +27,7 @@ struct EmissionTarget {
   double radius = 0.0; ///< infinite for shapes without end
 };
 
-/// A direction from a place to one of the targets.
+/// A direction from a place to one of the targets, with its pdf.
 struct DirectionSample {
   dvec3 direction{0.0};
   double pdf = 0.0; ///< per steradian

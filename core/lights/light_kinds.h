@@ -22,8 +22,8 @@ namespace abbe {
 /// one direction.
 [[nodiscard]] std::optional<LightDisc> disc(const Light& light);
 
-/// By which lights are chosen: the flux that a light of this value sends out, or sends through a
-/// disc about the scene, of the given area, where it does not fall off with distance.
+/// What lights are chosen in proportion to: the flux that a light of this value sends out, or sends
+/// through a disc about the scene, of the given area, where it does not fall off with distance.
 [[nodiscard]] double power(const Light& light, double value, double scene_disc);
 
 /// The most that a light of this value counts for when the film's quantum is chosen. Lights that

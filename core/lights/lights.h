@@ -11,12 +11,12 @@
 
 namespace abbe {
 
-/// A connection from a place to a light that may light it.
+/// A direction to a light, chosen to connect a place to it.
 struct LightSample {
   dvec3 direction{0.0};  ///< unit, towards the light
   double distance = 0.0; ///< infinite for parallel light
-  /// With which the direction was chosen, per steradian; 0 for lights without extent, which no ray
-  /// meets by chance.
+  /// The pdf, per steradian, with which the direction was chosen; 0 for lights without extent,
+  /// which no ray meets by chance.
   double pdf = 0.0;
   /// Factor on the source's spectrum: radiance over pdf; for lights without extent irradiance at
   /// normal incidence over the chance of having chosen this light.
@@ -36,8 +36,8 @@ public:
   /// True when no number is needed to choose one.
   [[nodiscard]] bool single() const { return choices_.size() == 1; }
 
-  /// A light (by `choice` in [0, 1)) and a point on it (by `u`), as seen from a place. Nothing
-  /// where it does not shine.
+  /// Chooses a light (by `choice` in [0, 1)) and a point on it (by `u`), as seen from a place.
+  /// Returns nothing where the light does not shine.
   [[nodiscard]] std::optional<LightSample> sample(const dvec3& place, double choice,
                                                   const dvec2& u) const;
 

@@ -11,7 +11,7 @@ namespace abbe {
 [[nodiscard]] std::vector<EmissionTarget> specular_targets(const Scene& scene, const Plan& plan);
 
 /// The same shapes for parallel light. A mirror without end is met by light that comes to it on
-/// its way to the ball about all shapes with an end and the eye: light that goes through that
+/// the line to the ball about all shapes with an end and the eye: light that goes through that
 /// ball's mirror image.
 [[nodiscard]] ParallelTargets parallel_targets(const Scene& scene, const Plan& plan);
 

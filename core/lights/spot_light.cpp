@@ -32,7 +32,7 @@ double brightness_towards(const SpotLight& light, const dvec3& direction) {
   return x * x * (3.0 - 2.0 * x); // the smooth step
 }
 
-/// In which the light shines. Half of the soft edge counts.
+/// The solid angle in which the light shines, with half of the soft edge.
 double solid_angle(const SpotLight& light) {
   return 2.0 * pi * (1.0 - std::cos(0.5 * (light.full_angle + light.half_angle)));
 }

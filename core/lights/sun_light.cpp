@@ -9,11 +9,11 @@ namespace {
 
 using std::numbers::pi;
 
-/// A sun can be looked at, but a tiny one must not make the film's steps too coarse for what it
-/// lights: they stay below 2^-16 of that.
+/// A sun can be looked at, but a tiny one must not make the film's quantum too coarse for what it
+/// lights: it stays below 2^-16 of that.
 constexpr double kMostOfSun = 0x1p20;
 
-/// Of the disc, per unit of the light's value.
+/// The radiance of the disc, per unit of the light's value.
 double radiance(const SunLight& light) {
   const double sine = std::sin(light.angular_radius);
   return 1.0 / (sine * sine);

@@ -5,7 +5,8 @@
 
 namespace abbe {
 
-/// The part of a mixture that a ray meets, by a number in [0, 1). Parts may be mixtures themselves.
+/// The part of a mixture that a ray meets, chosen by a number in [0, 1). Parts may be mixtures
+/// themselves.
 [[nodiscard]] inline const MaterialPlan& part_of(const Plan& plan, const MaterialPlan& mixture,
                                                  double u) {
   const MaterialPlan* part = &mixture;

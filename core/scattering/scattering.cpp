@@ -17,7 +17,7 @@ double Scattering::brought(const float* factors) const {
   return static_cast<double>(weighted_sum(in_.live, factors, in_.bands.first, in_.bands.last));
 }
 
-/// A rough boundary between media of the same index is none, and so is not rough.
+/// A rough boundary between media of the same index bends no light and counts as smooth.
 bool Scattering::rough() const {
   if (!facts_.rough || !(in_.wo.z > 0.0)) return false;
   if (!facts_.transmits) return true;
@@ -75,7 +75,8 @@ void Scattering::find_smooth_parts(const Hit& hit, PathWavelengths& wavelengths)
   if (facts_.reflects) reflect_ = brought(reflected_.data());
 }
 
-/// What facets reflect and refract is spread, in proportion to what a smooth surface would bring.
+/// What facets reflect and refract is nonspecular, in proportion to what a smooth surface would
+/// bring.
 void Scattering::find_nonspecular_parts() {
   // Lambert's part alone needs no comparing.
   if (!facts_.goes_on() && !material_->phong.present()) {

@@ -12,11 +12,11 @@ namespace abbe {
 
 using glm::dvec2;
 
-/// How a path goes on from a surface: along the one reflected ray, along the refracted rays (each
-/// band its own), straight through a pane, or to any side by a pdf.
+/// How a path goes on from a surface: along the one reflected ray, along the refracted rays (one
+/// for each band), straight through a pane, or along a direction sampled from a pdf.
 enum class ScatterKind : std::uint8_t { none, reflect, refract, pass, nonspecular };
 
-/// A direction that the spreading part of a surface was asked for.
+/// A direction sampled from the nonspecular part of a surface.
 struct BsdfSample {
   dvec3 direction{0.0}; ///< where light comes from, unit
   double pdf = 0.0;     ///< per steradian, as Scattering::evaluate gives it
@@ -24,7 +24,7 @@ struct BsdfSample {
 
 /// What one surface does with one bundle. A material is a sum: Lambert's part, Phong's highlight
 /// and its BSDF. Of these the specular light is factors per band on the reflected and the refracted
-/// rays; all else is spread, as a function of direction.
+/// rays; all else is scattered other than specularly, as a function of direction.
 class Scattering {
 public:
   Scattering(const Plan& plan, Transport transport);
@@ -37,7 +37,7 @@ public:
                const dvec3& direction, BandSpan<const float> throughput,
                PathWavelengths& wavelengths);
 
-  /// True when some of the light is spread, so that lamps can be aimed at.
+  /// True when some of the light is scattered other than specularly, so that lights can be sampled.
   [[nodiscard]] bool has_nonspecular() const { return nonspecular_ > 0.0; }
   /// True when some of it comes from the other side of the surface.
   [[nodiscard]] bool transmits_nonspecular() const {
@@ -56,7 +56,8 @@ public:
   };
   [[nodiscard]] Choice choose(double u) const;
   /// Which parts to follow where a path may branch: beside one of the others, chosen, the
-  /// reflected ray. With the chance 0 that is not followed; `on` may be of no kind then, or else.
+  /// reflected ray. A chance of 0 means that the reflected ray is not followed. `on` may be of no
+  /// kind, whatever the reflected ray does.
   struct Branches {
     double reflect_chance = 0.0;
     Choice on;
@@ -64,24 +65,24 @@ public:
   /// Follows a part for sure that would be chosen with a chance of 1 / `eagerness` or more; with an
   /// eagerness of 1 or less, one part alone.
   [[nodiscard]] Branches branch(double u, double eagerness) const;
-  /// With which `choose` spreads, and `evaluate` reckons.
+  /// The chance with which `choose` takes the nonspecular part; `evaluate` counts it in its pdf.
   [[nodiscard]] double nonspecular_chance() const { return nonspecular_; }
-  /// The same as `choose` among the reflected and the refracted ray alone.
+  /// The same as `choose`, but among the reflected and the refracted ray alone.
   [[nodiscard]] Choice choose_specular(double u) const;
 
   /// Factors on what comes along the reflected ray, and along the refracted or the straight one.
   [[nodiscard]] const float* reflected() const { return reflected_.data(); }
   [[nodiscard]] const float* transmitted() const { return transmitted_.data(); }
 
-  /// The spreading part for light from the unit direction `towards`: fills [first, last) of
+  /// Evaluates the nonspecular part for light from the unit direction `towards`: fills the bands of
   /// `f_cos` with the BSDF times the cosine. Returns the pdf per steradian with which `sample`
   /// chooses the direction, the chance of choosing the part included; 0 where nothing is scattered.
   double evaluate(const dvec3& towards, float* f_cos);
 
-  /// A direction from which the spreading part brings light, evaluated as `evaluate` does, for four
-  /// numbers in [0, 1): `u` gives the direction, `lobe` the way and the band by which a rough
-  /// surface sends it. The part has been chosen already. Nothing where the direction has no light
-  /// to bring.
+  /// Samples a direction from which the nonspecular part brings light, evaluated as `evaluate`
+  /// does, for four numbers in [0, 1): `u` gives the direction, `lobe` the lobe and the band by
+  /// which a rough surface sends it. The part has been chosen already. Returns nothing where the
+  /// direction has no light to bring.
   [[nodiscard]] std::optional<BsdfSample> sample(const dvec2& u, const dvec2& lobe, float* f_cos);
   /// False when `sample` makes no use of `lobe`.
   [[nodiscard]] bool has_lobes() const { return facets_ > 0.0 || facts_.coats; }
@@ -106,7 +107,7 @@ private:
   std::vector<float> reflected_, transmitted_;
   /// Chances of the parts; `refract_` is that of a pane's straight ray too.
   double reflect_ = 0.0, refract_ = 0.0, nonspecular_ = 0.0;
-  double facets_ = 0.0;  ///< chance of a rough surface's facets, given spread
+  double facets_ = 0.0;  ///< chance of a rough surface's facets, given the nonspecular part
   double lambert_ = 1.0; ///< chance of the diffuse part against the highlight, given neither
   std::vector<float> facet_light_; ///< scratch
 };

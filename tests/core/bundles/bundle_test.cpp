@@ -7,7 +7,7 @@ using namespace abbe;
 
 namespace {
 
-/// A bundle that has met the plane z = 0 after a way of 5, at the angle whose cosine is 0.8.
+/// A bundle that has met the plane z = 0 after a distance of 5, at the angle whose cosine is 0.8.
 struct AtPlane {
   Scene scene = test::scene_from("push scale 99 99 1 square pop");
   World world{scene.shapes, farthest_coordinate(scene)};

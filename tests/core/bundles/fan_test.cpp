@@ -15,7 +15,7 @@ const std::string kBall = "imageSize 512 512 background E 1 maxFan 405\n"
                           "push translate 0 0 -4 scale 9 9 9 square pop glass SF11 sphere\n";
 const glm::dvec2 kAside{380.0, 260.0};
 
-/// From inside a block of flint through a slanting face onto a wall, where every way ends.
+/// From inside a block of flint through a slanting face onto a wall, where every path ends.
 const std::string kOutwards =
     "imageSize 512 512 eye 0 0 0 lookAt 0 0 -1 background E 1 maxFan 405\n"
     "push translate 0 0 -6 scale 60 60 1 square pop\n"
@@ -69,7 +69,7 @@ TEST_CASE("--exact gives every band its own ray, by Snell's law") {
     CHECK(cell.separation == 0.0);
     CHECK(cell.divergence == 0.0);
   }
-  // blue is bent more than red, so it leaves farther from the straight way
+  // blue is bent more than red, so it leaves farther from the straight line
   const dvec3 straight = s.bundle.state.ray.direction;
   CHECK(glm::dot(cells.front().state->ray.direction, straight) <
         glm::dot(cells.back().state->ray.direction, straight));
@@ -136,24 +136,24 @@ TEST_CASE("bands share a ray while the outermost two land together") {
 TEST_CASE("bands part no further than tolerance demands") {
   FanScene s(kOutwards + "tolerance 4", kMiddle);
   const auto& cells = s.refract();
-  const auto spread = [&](int first, int last) {
+  const auto separation = [&](int first, int last) {
     const Hit a = own_hit(s, first), b = own_hit(s, last - 1);
     return glm::distance(a.point, b.point) /
            (s.camera.pixel_angle() * (s.bundle.hit.t + std::max(a.t, b.t)));
   };
   CHECK(cells.size() > 4);
   for (const FanCell& cell : cells) {
-    int first = 0, last = 81; // the way by halves to this cell
+    int first = 0, last = 81; // the path by halves to this cell
     while (first != cell.bands.first || last != cell.bands.last) {
       REQUIRE(last - first > cell.bands.size());
-      CHECK(spread(first, last) > 4.0);
+      CHECK(separation(first, last) > 4.0);
       const int middle = s.plan.shares.middle({first, last});
       (cell.bands.first < middle ? last : first) = middle;
     }
   }
 }
 
-TEST_CASE("the spread of a shared ray is that of its outermost bands") {
+TEST_CASE("the footprint of a shared ray is that of its outermost bands") {
   FanScene s(kBall + "tolerance 100", kAside);
   const auto& cells = s.refract();
   REQUIRE(cells.size() == 1);
@@ -163,9 +163,9 @@ TEST_CASE("the spread of a shared ray is that of its outermost bands") {
   CHECK(cells[0].separation == 0.0);
 }
 
-// The bundle comes with what earlier surfaces have spread: its position's part is handed on, its
-// direction's part grows with the way and is scaled by Snell's law.
-TEST_CASE("earlier spread uses tolerance up") {
+// The bundle comes with the footprint that earlier surfaces left: its position's part is handed on,
+// its direction's part grows with the distance and is scaled by Snell's law.
+TEST_CASE("the footprint that earlier surfaces left uses tolerance up") {
   FanScene s(kBall + "tolerance 2", kAside);
   const std::size_t fresh = s.refract().size();
   REQUIRE(fresh < 40);

@@ -9,8 +9,8 @@ using namespace abbe;
 
 namespace {
 
-/// Two lamps over a black background, under so many bands.
-Plan two_lamps(int bands, bool skip = true) {
+/// Two lights over a black background, under so many bands.
+Plan two_lights(int bands, bool skip = true) {
   Scene scene;
   scene.lights = {{"", Curve::table({380.0, 780.0}, {0.2, 1.0}), PointLight{}},
                   {"", Curve::constant(0.5), PointLight{}}};
@@ -22,20 +22,20 @@ Plan two_lamps(int bands, bool skip = true) {
 
 } // namespace
 
-TEST_CASE("full throughput from a lamp has the lamp's colour and its mean radiance per band") {
+TEST_CASE("full throughput from a light has the light's colour and its mean radiance per band") {
   for (const int bands : {1, 9, 27, 81, 100, 405}) {
-    const Plan plan = two_lamps(bands);
+    const Plan plan = two_lights(bands);
     RadianceSums sums(plan);
     const std::vector<float> ones(plan.stride, 1.0f);
     sums.add(plan.light_source(0), {ones.data(), {0, bands}}, BandTable(1.0f, bands), 1.0f);
-    const Curve lamp = Curve::table({380.0, 780.0}, {0.2, 1.0});
+    const Curve light = Curve::table({380.0, 780.0}, {0.2, 1.0});
     Xyz white;
-    for (const Xyz& w : band_weights(plan.grid, lamp))
+    for (const Xyz& w : band_weights(plan.grid, light))
       white += w;
     CHECK(sums.color().x == Approx(white.x).epsilon(1e-6));
     CHECK(sums.color().y == Approx(white.y).epsilon(1e-6));
     CHECK(sums.color().z == Approx(white.z).epsilon(1e-6));
-    const auto means = band_means(plan.grid, lamp);
+    const auto means = band_means(plan.grid, light);
     const auto radiance = sums.radiance();
     REQUIRE(radiance.size() == means.size());
     for (std::size_t b = 0; b < means.size(); ++b)
@@ -43,9 +43,9 @@ TEST_CASE("full throughput from a lamp has the lamp's colour and its mean radian
   }
 }
 
-TEST_CASE("what lamps give adds up, times throughput, reflectance and factor") {
+TEST_CASE("what lights give adds up, times throughput, reflectance and factor") {
   for (const int bands : {27, 81}) {
-    const Plan plan = two_lamps(bands);
+    const Plan plan = two_lights(bands);
     RadianceSums sums(plan);
     const std::vector<float> half(plan.stride, 0.5f);
     sums.add(plan.light_source(0), {half.data(), {0, bands}}, BandTable(0.4f, bands), 3.0f);
@@ -59,11 +59,11 @@ TEST_CASE("what lamps give adds up, times throughput, reflectance and factor") {
   }
 }
 
-TEST_CASE("a constant lamp adds the same bytes whether or not constants are skipped") {
+TEST_CASE("a constant light adds the same bytes whether or not constants are skipped") {
   const BandTable reflectance(std::vector<double>(81, 0.3));
   std::vector<float> result[2];
   for (const bool skip : {false, true}) {
-    const Plan plan = two_lamps(81, skip);
+    const Plan plan = two_lights(81, skip);
     RadianceSums sums(plan);
     const std::vector<float> throughput(plan.stride, 0.7f);
     for (const int source : {plan.light_source(1), Plan::kBackground})

@@ -18,7 +18,7 @@ MediumPlan dye() {
 
 } // namespace
 
-TEST_CASE("throughput falls by exp(-absorption * way) in the asked bands") {
+TEST_CASE("throughput falls by exp(-absorption * length) in the asked bands") {
   float throughput[3] = {0.5f, 0.5f, 0.5f};
   absorb(dye(), 3.0, {throughput, {0, 2}});
   CHECK(throughput[0] == 0.5f);
@@ -26,7 +26,7 @@ TEST_CASE("throughput falls by exp(-absorption * way) in the asked bands") {
   CHECK(throughput[2] == 0.5f);
 }
 
-TEST_CASE("an infinite way leaves the bands that are not absorbed, and nothing else") {
+TEST_CASE("an infinite length leaves the bands that are not absorbed, and nothing else") {
   float throughput[3] = {1.0f, 1.0f, 1.0f};
   absorb(dye(), std::numeric_limits<double>::infinity(), {throughput, {0, 3}});
   CHECK(throughput[0] == 1.0f);
@@ -34,7 +34,7 @@ TEST_CASE("an infinite way leaves the bands that are not absorbed, and nothing e
   CHECK(throughput[2] == 0.0f);
 }
 
-TEST_CASE("a clear medium takes nothing, however long the way") {
+TEST_CASE("a clear medium takes nothing, at any length") {
   float throughput[1] = {0.7f};
   absorb(MediumPlan{}, std::numeric_limits<double>::infinity(), {throughput, {0, 1}});
   CHECK(throughput[0] == 0.7f);

@@ -21,7 +21,7 @@ struct Paths {
       : s(text + " light E 0 0 50 1"), film({0, 0, 1, 1}, 1.0, 0),
         paths(s.plan, s.world, emission, nullptr, film) {}
 
-  /// A ray of the scene's lamp that carries a flux of 2 as one path of `share`.
+  /// A ray of the scene's light that carries a flux of 2 as one path of `share`.
   void trace(const dvec3& place, const dvec3& direction, std::uint32_t number = 0,
              double share = 1.0) {
     EmittedRay ray;
@@ -56,14 +56,14 @@ TEST_CASE("light that comes by a mirror leaves a photon where it is scattered") 
   CHECK(p.s.counts.photons == 1);
 }
 
-TEST_CASE("light that comes straight from its lamp is left to camera paths") {
+TEST_CASE("light that comes straight from its light is left to camera paths") {
   Paths p(kMirror + kWall);
   p.trace({0, 0, 0.5}, {0, 0, 1});
   CHECK(p.batch.photons.empty());
   CHECK(p.s.counts.total() == 1);
 }
 
-TEST_CASE("a light path carries its lamp's bands and no others") {
+TEST_CASE("a light path carries its light's bands and no others") {
   Paths p("lights " ABBE_SOURCE_DIR "/scenes/lights.filter light 2a 0 0 50 1\n" + kMirror + kWall);
   p.trace({-0.5, 0, 0.5}, {1, 0, -1}); // of filter 2a, which is dark at both ends
   REQUIRE(p.batch.photons.size() == 1);

@@ -11,7 +11,7 @@ using namespace abbe;
 
 namespace {
 
-/// The mean over the pixels and bands of a picture.
+/// The mean over the pixels and bands of an image.
 double mean(const std::string& text, Caustics caustics = Caustics::off) {
   Scene scene = test::scene_from("integrator path imageSize 8 8 " + text);
   scene.settings.caustics = caustics;
@@ -43,8 +43,8 @@ TEST_CASE("lossless rough solids are invisible in a white furnace") {
   }
 }
 
-TEST_CASE("a lamp in a rough mirror, against the integral over the lamp") {
-  // A square lamp of half side 1, 2 above the mirror, beside the camera's straight look down.
+TEST_CASE("a light in a rough mirror, against the integral over the light") {
+  // A square light of half side 1, 2 above the mirror, beside the camera's straight look down.
   const double roughness = 0.6;
   const double seen = mean(
       "fieldOfView 0.01 samples 256 bands 1 eye 0 0 9 lookAt 0 0 0 diffuse 0 0 0 ambient 0 0 0 "
@@ -59,19 +59,19 @@ TEST_CASE("a lamp in a rough mirror, against the integral over the lamp") {
   constexpr int kSteps = 200;
   for (int i = 0; i < kSteps; ++i)
     for (int j = 0; j < kSteps; ++j) {
-      const dvec3 way{1.5 + 2.0 * (i + 0.5) / kSteps, -1.0 + 2.0 * (j + 0.5) / kSteps, 2.0};
-      const double distance = glm::length(way);
+      const dvec3 to_light{1.5 + 2.0 * (i + 0.5) / kSteps, -1.0 + 2.0 * (j + 0.5) / kSteps, 2.0};
+      const double distance = glm::length(to_light);
       float f = 0.0f;
       (void)evaluate_conductor_facets({Ggx::from_roughness(roughness)}, optics, {0.0, 0.0, 1.0},
-                                      way / distance, {0, 1}, &f);
+                                      to_light / distance, {0, 1}, &f);
       expected += static_cast<double>(f) * (2.0 / distance) / (distance * distance) * 4.0 /
                   (kSteps * kSteps);
     }
   CHECK(seen == Approx(expected).epsilon(0.02));
 }
 
-TEST_CASE("a lamp inside rough glass, against the integral over the lamp") {
-  // A block far wider than the lamp; radiance falls by n^2 on its way out.
+TEST_CASE("a light inside rough glass, against the integral over the light") {
+  // A block far wider than the light; radiance falls by n^2 on its way out.
   const double roughness = 0.5;
   const double seen =
       mean("fieldOfView 0.01 samples 1024 bands 1 eye 0 0 9 lookAt 0 0 0 maxRecursionDepth 2 "
@@ -87,11 +87,11 @@ TEST_CASE("a lamp inside rough glass, against the integral over the lamp") {
   constexpr int kSteps = 200;
   for (int i = 0; i < kSteps; ++i)
     for (int j = 0; j < kSteps; ++j) {
-      const dvec3 way{-0.5 + 2.0 * (i + 0.5) / kSteps, -1.0 + 2.0 * (j + 0.5) / kSteps, -2.0};
-      const double distance = glm::length(way);
+      const dvec3 to_light{-0.5 + 2.0 * (i + 0.5) / kSteps, -1.0 + 2.0 * (j + 0.5) / kSteps, -2.0};
+      const double distance = glm::length(to_light);
       float f = 0.0f;
       (void)evaluate_dielectric_facets({Ggx::from_roughness(roughness)}, optics, {0.0, 0.0, 1.0},
-                                       way / distance, {0, 1}, &f);
+                                       to_light / distance, {0, 1}, &f);
       expected += static_cast<double>(f) * (2.0 / distance) / (distance * distance) * 4.0 /
                   (kSteps * kSteps);
     }
@@ -99,7 +99,7 @@ TEST_CASE("a lamp inside rough glass, against the integral over the lamp") {
 }
 
 TEST_CASE("caustics on or off, a rough lens throws as much light") {
-  // A lamp behind smooth glass lights rough glass: with light-side passes its light comes from the
+  // A light behind smooth glass lights rough glass: with light-side passes its light comes from the
   // photon map, from both sides of the surface; without, from camera paths alone.
   const std::string scene =
       "samples 256 bands 1 fieldOfView 12 eye 0 0 9 lookAt 0 0 0 cauchy 1.5 0 0 push translate 0 0 "

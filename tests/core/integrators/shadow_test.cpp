@@ -8,7 +8,7 @@ using namespace abbe;
 
 namespace {
 
-/// A white square lit head-on by a lamp above `blocker`, seen from aside, with strength 1.
+/// A white square lit head-on by a light above `blocker`, seen from aside, with strength 1.
 Film under(const std::string& blocker, const std::string& lamp = "light E 0 0 10 1") {
   const Scene scene = test::scene_from(
       "fieldOfView 0.0001 imageSize 1 1 samples 1 jitter off eye 5 0 2 lookAt 0 0 0\n" + lamp +
@@ -32,7 +32,7 @@ double lit(const std::string& blocker, const std::string& lamp = "light E 0 0 10
 
 } // namespace
 
-TEST_CASE("an opaque solid between lamp and surface takes all light") {
+TEST_CASE("an opaque solid between light and surface takes all light") {
   for (const char* rule : {"shadows opaque ", "shadows attenuated "})
     for (const char* lamp : {"light E 0 0 10 1", "light E 0 0 1 0"}) {
       CHECK(lit(rule + kOpaque, lamp) == 0.0);
@@ -41,7 +41,7 @@ TEST_CASE("an opaque solid between lamp and surface takes all light") {
   CHECK(lit("shadows none " + kOpaque) == Approx(1.0).epsilon(1e-6));
 }
 
-TEST_CASE("what stands behind the lamp makes no shadow") {
+TEST_CASE("what stands behind the light makes no shadow") {
   for (const char* rule : {"shadows opaque ", "shadows attenuated "})
     CHECK(lit(rule + kOpaque, "light E 0 0 2 1") == Approx(1.0).epsilon(1e-6));
 }
@@ -51,7 +51,7 @@ TEST_CASE("to opaque shadow rays glass is opaque") {
 }
 
 // Two surfaces at normal incidence, each with 1 - R0; what runs to and fro between them is not a
-// straight way and does not count.
+// straight path and does not count.
 TEST_CASE("glass weakens a straight shadow ray by the transmittance of its two faces, per band") {
   const Film film = under("shadows attenuated glass SF11" + kCube);
   const Film open = under("");
@@ -66,7 +66,8 @@ TEST_CASE("absorbing glass also weakens it by Beer and Lambert's law") {
                             "absorption 0.7";
   const double faces = std::pow(0.9 * transmitted(1.5), 2.0);
   CHECK(lit(glass + kCube) == Approx(faces * std::exp(-0.7)).epsilon(1e-5));
-  // A lamp inside the glass: one face, and the way from its lower side at 2.5 up to the lamp.
+  // A light inside the glass: one face, and the distance from its lower side at 2.5 up to the
+  // light.
   CHECK(lit(glass + kCube, "light E 0 0 2.8 1") ==
         Approx(std::sqrt(faces) * std::exp(-0.7 * 0.3)).epsilon(1e-5));
 }
@@ -84,7 +85,7 @@ TEST_CASE("every solid on the way counts") {
   CHECK(lit(glass + "push" + kCube + "pop push translate 0 0 2 " + kOpaque + "pop") == 0.0);
 }
 
-TEST_CASE("a convex solid does not shadow the side that faces the lamp, at any scale") {
+TEST_CASE("a convex solid does not shadow the side that faces the light, at any scale") {
   for (const double scale : {1e-4, 1.0, 1e4}) {
     const std::string s = std::to_string(scale) + " ";
     const auto times = [&](double x) { return std::to_string(x * scale) + " "; };

@@ -33,8 +33,8 @@ double phase(double angle_deg) {
 
 } // namespace
 
-// The lamp's value 1 is an irradiance of pi. Light from the side has the same way, 1, to every
-// place on the axis: L = integral from 0 to 2 of s exp(-s t) dt * p(90 deg) pi exp(-s).
+// The light's value 1 is an irradiance of pi. Light from the side has the same distance, 1, to
+// every place on the axis: L = integral from 0 to 2 of s exp(-s t) dt * p(90 deg) pi exp(-s).
 TEST_CASE("drops lit from the side send what their depth and their phase function say") {
   const double s = 0.4;
   const double expected = (1.0 - std::exp(-2.0 * s)) * phase(90.0) * kPi * std::exp(-s);
@@ -54,7 +54,7 @@ TEST_CASE("where the depth of the light changes along the ray, places are drawn 
   CHECK(seen("light E 0.0001 0 1 0" + kCube, 4096) ==
         Approx(0.5 * (1.0 - std::exp(-4.0 * s)) * phase(180.0 - 0.0001 * 180.0 / kPi) * kPi)
             .epsilon(2e-3));
-  // From ahead the whole way is 2 at any depth.
+  // From ahead the whole length is 2 at any depth.
   CHECK(seen("light E 1 0 -1 0 " + kDrops + "push scale 9 9 1 cube pop") ==
         Approx(seen("light E 1 0 -1 0 " + kDrops + "push scale 900 9 1 cube pop")).epsilon(1e-6));
 }
@@ -67,7 +67,7 @@ TEST_CASE("absorption between the drops takes its part") {
         Approx(expected).epsilon(2e-3));
 }
 
-TEST_CASE("a lamp at a place far off lights as parallel light from a point does") {
+TEST_CASE("a light at a place far off lights as parallel light from a point does") {
   CHECK(seen("light E 1e6 0 0 1" + kCube) == Approx(seen("light E 1 0 0 0" + kCube)).epsilon(1e-4));
   CHECK(seen("falloff square intensity 4 light E 2 0 0 1" + kDrops +
                  "push scale 0.001 0.001 0.001 cube pop",
@@ -155,7 +155,7 @@ TEST_CASE("boundaries of drops count as no surface of a path") {
           Approx(0.7 * std::exp(-0.4)).epsilon(1e-6));
 }
 
-TEST_CASE("lamps drawn one at a time light drops as all together do") {
+TEST_CASE("lights drawn one at a time light drops as all together do") {
   const std::string lamps = "light E 1 0 0 0 intensity 2 light E 0 1 0 0 light E 30 0 0 1 ";
   CHECK(seen("integrator path " + lamps + kCube, 4096) ==
         Approx(seen(lamps + kCube)).epsilon(2e-2));
@@ -169,12 +169,12 @@ TEST_CASE("surfaces that glow light the drops of a random path") {
   const double depth = 0.4 * 0.02;
   CHECK(seen("integrator path " + square + drops, 64) ==
         Approx((1.0 - std::exp(-depth)) * phase(90.0) * 1e-4).epsilon(1e-2));
-  CHECK(seen(square + drops) == 0.0); // the thesis's model has lamps only
+  CHECK(seen(square + drops) == 0.0); // the thesis's model has lights only
 }
 
-// Lamps that glow are reached in two ways, aimed at and by chance, and each is weighed with where
-// the path was last spread; drops on the way must not be taken for that place.
-TEST_CASE("drops on the way leave the weights of glowing lamps as they are") {
+// Lights that glow are reached in two ways, aimed at and by chance, and each is weighed with where
+// a surface last scattered the path; drops on the way must not be taken for that place.
+TEST_CASE("drops on the way leave the weights of glowing lights as they are") {
   const std::string room =
       "integrator path eye 3 0 2 lookAt 0 0 0 defaultMaterials ambient 0 0 0 diffuse 0.6 0.6 0.6 "
       "square diffuse 0 0 0 emissive E 1 push translate 0 0 1 square pop "

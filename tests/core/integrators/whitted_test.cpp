@@ -63,7 +63,7 @@ TEST_CASE("Hill's light makes rho times its value, times the cosine, at any dist
         Approx(0.25).epsilon(1e-4));
 }
 
-TEST_CASE("lamps add up, and none shines through the surface it is behind") {
+TEST_CASE("lights add up, and none shines through the surface it is behind") {
   const std::string square = " defaultMaterials ambient 0 0 0 diffuse 0.5 0.5 0.5 square";
   CHECK(seen("eye 0 0 4 lookAt 0 0 0 light E 0 0 9 1 light E 0 0 5 1" + square) ==
         Approx(1.0).epsilon(1e-4));
@@ -71,8 +71,8 @@ TEST_CASE("lamps add up, and none shines through the surface it is behind") {
   CHECK(seen("eye 0 0 -4 lookAt 0 0 0 light E 0 0 -5 1" + square) == Approx(0.5).epsilon(1e-4));
 }
 
-// Blinn: the half vector of eye and lamp, at 60 and -20 degrees from the normal, is at 20 degrees,
-// so the highlight is ks cos(20 deg)^e, without the cosine of the lamp.
+// Blinn: the half vector of eye and light, at 60 and -20 degrees from the normal, is at 20 degrees,
+// so the highlight is ks cos(20 deg)^e, without the cosine of the light.
 TEST_CASE("the highlight is the cosine of the half vector to the exponent's power") {
   const auto from = [](double angle_deg) {
     const double a = angle_deg * kDegree;

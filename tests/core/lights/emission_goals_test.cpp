@@ -18,7 +18,7 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 } // namespace
 
-TEST_CASE("one of several is chosen, and the number is spread over [0, 1) again") {
+TEST_CASE("one of several is chosen, and the number is uniform over [0, 1) again") {
   for (const double inside : {0.0, 0.25, 0.75})
     for (std::size_t i = 0; i < 4; ++i) {
       double u = (static_cast<double>(i) + inside) / 4.0;

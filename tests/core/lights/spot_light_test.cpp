@@ -77,7 +77,7 @@ TEST_CASE("a spot aims at what its cone reaches alone") {
         Approx(4.0 * pi * (1.0 - std::cos(30.0 * kDegree))).epsilon(1e-14));
 }
 
-TEST_CASE("rays of a spot are as strong as it is bright that way") {
+TEST_CASE("rays of a spot are as strong as it is bright in their direction") {
   const double ball = 2.0 * pi * (1.0 - std::sqrt(24.0 / 25.0));
   // Seen at 20 degrees, half bright in its middle; its edges are full and dark.
   const double angle = 20.0 * kDegree;

@@ -1,4 +1,4 @@
-// Scattering with rough, coated and mixed materials: what is sampled has the density that is told,
+// Scattering with rough, coated and mixed materials: what is sampled has the pdf that is told,
 // and lossless surfaces keep all light.
 
 #include "core/planning/make_plan.h"
@@ -57,8 +57,8 @@ private:
   std::vector<float> throughput_, f_;
 };
 
-/// Reflected and refracted rays as they are, spread light by sampling: the part of the light of one
-/// band that goes on.
+/// Reflected and refracted rays as they are, nonspecular light by sampling: the part of the light
+/// of one band that goes on.
 double goes_on(const Plan& plan, double cos_o, int band) {
   Surface surface(plan, cos_o, Transport::flux);
   double sum = 0.0;
@@ -70,19 +70,19 @@ double goes_on(const Plan& plan, double cos_o, int band) {
     if (s.certain()) break;
   }
   if (!s.has_nonspecular()) return sum;
-  const double chance = s.choose(0.0).chance; // of spreading
+  const double chance = s.choose(0.0).chance; // of the nonspecular part
   constexpr int kCount = 8000;
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  double spread = 0.0;
+  double scattered = 0.0;
   for (int i = 0; i < kCount; ++i) {
     const dvec3 u = test::lattice_point(i);
     if (const auto wi = surface.sample({u.x, u.y}, {u.z, uniform(random)})) {
-      const double density = surface.evaluate(*wi);
-      spread += surface.f(band) / density * chance;
+      const double pdf = surface.evaluate(*wi);
+      scattered += surface.f(band) / pdf * chance;
     }
   }
-  return sum + spread / kCount;
+  return sum + scattered / kCount;
 }
 
 } // namespace
@@ -107,7 +107,7 @@ TEST_CASE("without compensation rough surfaces lose light") {
   CHECK(goes_on(planned("glass N-BK7 roughness 1 compensation off cube"), 0.5, 0) < 0.8);
 }
 
-TEST_CASE("mixed materials are sampled with the density they tell, by live bands") {
+TEST_CASE("mixed materials are sampled with the pdf they tell, by live bands") {
   for (const std::string text :
        {"glass SF11 dispersionScale 8 roughness 0.6 cube",
         "glass SF11 roughness 0.6 diffuse 0.3 0.2 0.1 specular 0.2 0.2 0.2 specularExponent 9 cube",
@@ -141,7 +141,7 @@ TEST_CASE("a rough boundary between like media is none") {
   CHECK(scattering.choose(0.5).kind == ScatterKind::refract);
 }
 
-TEST_CASE("only glass spreads light through") {
+TEST_CASE("only glass scatters light through") {
   const auto through = [](const std::string& text) {
     const Plan plan = planned(text);
     return Surface(plan, 0.7, Transport::radiance).scattering().transmits_nonspecular();
