@@ -16,7 +16,7 @@ struct Triangles {
 /// another power of ten. Throws std::invalid_argument for any other number.
 [[nodiscard]] Triangles ball_of_triangles(std::size_t count);
 
-/// A camera five units before the origin, a lamp, a card behind, and glass for what is to stand
+/// A camera five units before the origin, a light, a card behind, and glass for what is to stand
 /// between them.
 struct Stage {
   Scene scene;

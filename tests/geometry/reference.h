@@ -63,7 +63,7 @@ struct Twin {
   Solid solid;
 };
 
-/// A piece of a tree on the way to a twin.
+/// A part of a tree while its twin is built.
 struct Piece {
   CsgTree tree;
   Solid solid;

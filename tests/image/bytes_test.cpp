@@ -169,7 +169,7 @@ TEST_CASE("a mesh that is used again makes the bytes of a copy of its file") {
 
 namespace {
 
-/// One scene at a scale: every length times `s`. The lamp does not fall off, so nothing else
+/// One scene at a scale: every length times `s`. The light does not fall off, so nothing else
 /// changes.
 std::string scaled_scene(double s) {
   const auto n = [s](double v) { return fmt::format("{}", v * s); };

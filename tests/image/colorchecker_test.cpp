@@ -1,6 +1,7 @@
-// scenes/colorchecker.sdl: a chart of flat patches under a parallel lamp that faces it. Each point
-// of a patch sends out reflectance times the lamp's spectrum, so each pixel that lies wholly inside
-// a patch has the patch's XYZ: the sum over 81 bands of reflectance x light x observer [CIE15].
+// scenes/colorchecker.sdl: a chart of flat patches under a parallel light that faces it. Each point
+// of a patch sends out reflectance times the light's spectrum, so each pixel that lies wholly
+// inside a patch has the patch's XYZ: the sum over 81 bands of reflectance x light x observer
+// [CIE15].
 
 #include "core/image/develop.h"
 #include "core/planning/make_plan.h"
@@ -76,7 +77,7 @@ TEST_CASE("every pixel of the chart's patches has the computed colour") {
     }
 }
 
-TEST_CASE("with the lamp as white point the chart's greys are grey on every display") {
+TEST_CASE("with the light as white point the chart's greys are grey on every display") {
   Scene scene = chart("A");
   const Plan plan = make_plan(scene, scene.settings);
   const Rendering rendering = test::render_scene(scene, false);

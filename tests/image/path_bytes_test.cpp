@@ -134,7 +134,7 @@ TEST_CASE("path: what the plan skips changes no byte") {
     scene.settings.skip = false;
     CHECK(picture(scene) == skipped);
   }
-  // A lamp that is dark in most bands, and an image that is half empty.
+  // A light that is dark in most bands, and an image that is half empty.
   Scene scene = test::scene_from("lights " ABBE_SOURCE_DIR "/scenes/lights.filter\n" + kSmall +
                                  "imageSize 48 48 eye 0 0 9 fieldOfView 40 falloff square\n"
                                  "intensity 30 light 2a 3 4 5 1\n"

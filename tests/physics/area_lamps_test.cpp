@@ -16,7 +16,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 /// Luminance of the point (0, 0, 0) of a scene, seen from (3, 1, 2) by paths of one surface: light
-/// comes straight from a lamp.
+/// comes straight from a light.
 double seen(const std::string& text, int samples = 4096) {
   const Scene scene =
       test::scene_from("integrator path maxRecursionDepth 1 filter box\n"
@@ -46,7 +46,7 @@ double polygon_irradiance(const std::array<dvec3, N>& corners) {
 
 } // namespace
 
-TEST_CASE("a square lamp lights a floor by Lambert's polygon formula") {
+TEST_CASE("a square light lights a floor by Lambert's polygon formula") {
   for (const dvec3 centre : {dvec3(0, 0, 2), dvec3(1.5, -1, 1.2), dvec3(0.3, 0.2, 0.8)}) {
     const std::array<dvec3, 4> corners{centre + dvec3(-0.5, -0.4, 0), centre + dvec3(0.5, -0.4, 0),
                                        centre + dvec3(0.5, 0.4, 0), centre + dvec3(-0.5, 0.4, 0)};
@@ -60,7 +60,7 @@ TEST_CASE("a square lamp lights a floor by Lambert's polygon formula") {
 }
 
 // A ball of radiance L wholly above the horizon gives the irradiance pi L (R / d)^2 cos.
-TEST_CASE("a ball lamp lights a floor by its closed form") {
+TEST_CASE("a ball light lights a floor by its closed form") {
   const auto lit = [](const std::string& ball, int samples = 4096) {
     return seen(kFloor + kGlow + "push " + ball + " sphere pop", samples);
   };
@@ -84,7 +84,7 @@ TEST_CASE("an ellipsoid on the axis shines like the disc that its outline is") {
 
 // The same solid once as a box, which is aimed at, and once as a polyhedron, which is met by
 // chance alone: two unbiased estimates of one number.
-TEST_CASE("aiming at a lamp changes the noise and not the mean") {
+TEST_CASE("light samples change the noise and not the mean") {
   const std::string turned = "translate 0.4 0.3 1.6 rotate 40 1 2 0 scale 0.7 0.5 0.6 ";
   const double aimed = seen(kFloor + kGlow + turned + "cube", 4096);
   const double by_chance = seen(kFloor + kGlow + turned +
@@ -94,12 +94,12 @@ TEST_CASE("aiming at a lamp changes the noise and not the mean") {
   CHECK(aimed == Approx(by_chance).epsilon(5e-3));
 }
 
-TEST_CASE("a disc lamp on the axis lights a floor by r^2 / (r^2 + h^2)") {
+TEST_CASE("a disc light on the axis lights a floor by r^2 / (r^2 + h^2)") {
   CHECK(seen(kFloor + kGlow + "translate 0 0 1.5 scale 0.7 0.7 1 disc") ==
         Approx(kReflectance * 0.49 / (0.49 + 2.25)).epsilon(1e-3));
 }
 
-TEST_CASE("many lamps add up") {
+TEST_CASE("many lights add up") {
   const std::string far_one = "push translate 0 3 4 scale 2 2 2 sphere pop\n";
   const std::string near_one = "push translate 0 0 1 scale 0.1 0.1 0.1 sphere pop\n";
   const std::string parallel = "light E 0 -1.7320508 1 0\n"; // at 60 degrees

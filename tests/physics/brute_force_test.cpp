@@ -1,6 +1,6 @@
 // The measured Cornell box by the path tracer against an estimator with none of its refinements:
-// single rays that bounce with the cosine's density and count only when they meet the lamp by
-// chance. It shares the shapes' intersections and the scene's curves, and nothing of
+// single rays that bounce with a pdf in proportion to the cosine and count only when they meet the
+// light by chance. It shares the shapes' intersections and the scene's curves, and nothing of
 // core/integrators.
 //
 // Both estimate each pixel's colour with a known variance, so z = difference / standard deviation
@@ -95,7 +95,7 @@ private:
   static constexpr double kPi = std::numbers::pi;
   double uniform() { return std::uniform_real_distribution<double>(0.0, 1.0)(random_); }
 
-  /// The normal plus a point of the unit sphere has the cosine's density.
+  /// The normal plus a point of the unit sphere has a pdf in proportion to the cosine.
   dvec3 bounce(const dvec3& normal) {
     const double z = 1.0 - 2.0 * uniform(), angle = 2.0 * kPi * uniform();
     const double r = std::sqrt(1.0 - z * z);

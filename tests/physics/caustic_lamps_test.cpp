@@ -12,11 +12,11 @@
 
 using namespace abbe;
 
-// Lamps as beginnings of light paths: against camera paths alone, and against closed forms.
+// Lights as beginnings of light paths: against camera paths alone, and against closed forms.
 
 namespace {
 
-/// A ball of glass over a floor; the camera sees the floor below it and neither ball nor lamp.
+/// A ball of glass over a floor; the camera sees the floor below it and neither ball nor light.
 std::string floor_with(const std::string& lamp) {
   return "integrator path maxRecursionDepth 12 eye 0 0.4 3 lookAt 0 -1 0 fieldOfView 22\n"
          "imageSize 8 8 samples 64\n" +
@@ -49,7 +49,7 @@ const std::vector<Case>& lamps() {
 
 } // namespace
 
-TEST_CASE("caustics of each kind of lamp are those of camera paths alone") {
+TEST_CASE("caustics of each kind of light are those of camera paths alone") {
   for (const Case& c : lamps()) {
     INFO(c.name);
     Scene scene = test::scene_from(floor_with(c.lamp));
@@ -137,7 +137,7 @@ TEST_CASE("parallel light and a tiny sun make the same caustic") {
 
 // Behind a clear plate at normal incidence 2n / (n^2 + 1) of the light arrives, all reflections
 // within the plate included. The card below is nearly black, so nothing comes back from the plate.
-TEST_CASE("a card under a plate of glass is as bright as Fresnel says, under each distant lamp") {
+TEST_CASE("a card under a plate of glass is as bright as Fresnel says, under each distant light") {
   const std::string plate =
       "integrator path maxRecursionDepth 40 eye 0 0 -1 lookAt 0 0 -3\n"
       "up 0 1 0 fieldOfView 80 imageSize 4 4 filter box samples 16 lightPaths 800\n"

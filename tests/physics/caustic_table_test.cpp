@@ -35,7 +35,7 @@ Errors errors(const test::SeedStatistics& picture, const test::SeedStatistics& r
 
 // Not run by itself; prints the table in docs/decisions/caustics.md:
 //   test_physics "[convergence]"
-// A ball of glass throws its caustic on a floor. Nothing but the caustic is noisy: lamps are
+// A ball of glass throws its caustic on a floor. Nothing but the caustic is noisy: lights are
 // points, and paths end before floors light each other. A lens camera with a tiny lens gets by the
 // photon map what a pinhole gets by splats.
 TEST_CASE("how fast caustics come close to what they should be", "[.][convergence]") {

@@ -8,7 +8,7 @@ using namespace abbe;
 
 namespace {
 
-/// The flux of all bands that a scene's light paths bring to surfaces that spread it, and the flux
+/// The flux of all bands that a scene's light paths bring to surfaces that scatter it, and the flux
 /// that met the glass in the first place.
 struct Flux {
   double emitted = 0.0, arrived = 0.0;

@@ -12,7 +12,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 const double kBk7 = test::glass_index("N-BK7", kLineD_nm);
 } // namespace
 
-// sin(critical) = 1 / n. 41.2452 deg for N-BK7 at the d line (golden_optics.csv).
+// sin(critical) = 1 / n. 41.2452 deg for N-BK7 at the d line, computed outside this project.
 TEST_CASE("total reflection begins at the critical angle") {
   const auto passes = [](double angle_deg) {
     return refracted_cosine(std::cos(angle_deg * kDegree), 1.0 / kBk7).has_value();
@@ -50,7 +50,8 @@ TEST_CASE("at Brewster's angle half of the perpendicular polarisation's light is
   CHECK(std::abs(rp) < 1e-15);
 }
 
-// golden_optics.csv: R0 = ((n-1)/(n+1))^2 = 0.042165; at 60 deg Rs, Rp follow from Snell's law.
+// Computed outside this project: R0 = ((n-1)/(n+1))^2 = 0.042165; at 60 deg Rs, Rp follow from
+// Snell's law.
 TEST_CASE("Fresnel's reflectance has its closed-form values") {
   CHECK(fresnel_reflectance(1.0, kBk7) == Approx(0.042165).margin(1e-6));
   CHECK(fresnel_reflectance(1.0, 1.0 / kBk7) == Approx(0.042165).margin(1e-6));

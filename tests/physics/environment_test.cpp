@@ -79,8 +79,8 @@ TEST_CASE("half a sky lights a tilted surface by its closed form") {
   }
 }
 
-// The same light by an image with one bright pixel, once aimed at and once found by chance: a
-// rough mirror's directions find it, and so does the other way.
+// The same light by an image with one bright pixel, once by light samples and once by chance: both
+// the directions of a rough mirror and the light samples find it.
 TEST_CASE("a small bright spot is as bright whether it is aimed at or met") {
   const auto spot = picture(64, 32, [](int x, int y) {
     const double v = x == 20 && y == 8 ? 100.0 : 0.0; // elevation 48 degrees

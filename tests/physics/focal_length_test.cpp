@@ -27,7 +27,7 @@ double effective_focal_length(const World& world, double n) {
 } // namespace
 
 // The lensmaker's equation for a thick lens, 1/f = (n-1) (1/R1 - 1/R2 + (n-1) t / (n R1 R2)), with
-// n of N-BK7 gives these three figures (shared/anchors.md, computed from Schott's coefficients).
+// n of N-BK7 gives these three figures (computed outside this project from Schott's coefficients).
 TEST_CASE("a biconvex N-BK7 lens focuses F, d and C at their published lengths") {
   const World world({{biconvex(), Transform(), MaterialId{0}, MediumId{0}, 0}}, 50.0);
   const auto at = [&](double nm) {

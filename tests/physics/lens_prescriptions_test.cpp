@@ -20,7 +20,7 @@ struct Published {
 // Prescriptions: ray-optics codev/tests/singlet.seq (BSD-3-Clause); Edmund Optics 49-847 and
 // Laikin, Lens Design, 4th ed., p. 45 (inch), both from optiland (MIT); Thorlabs AC254-050-A,
 // -075-A and -150-A (Zemax files). The focal lengths were computed from the glasses' dispersion by
-// paraxial matrices, outside this project (../shared/data/lenses/index.csv).
+// paraxial matrices, outside this project.
 const Published kLenses[] = {
     {"glass N-BK7 lensElement 10 -20 1 3",
      2,

@@ -6,8 +6,8 @@
 
 using namespace abbe;
 
-// Things within and behind glass that a large lamp lights through it: photons against camera paths
-// alone, which find such a lamp by chance.
+// Things within and behind glass that a large light lights through it: photons against camera paths
+// alone, which find such a light by chance.
 
 namespace {
 
@@ -41,7 +41,7 @@ TEST_CASE("a card within glass, clear or absorbing, is as bright by photons as b
   }
 }
 
-TEST_CASE("a lamp behind a plate of glass counts once, whichever shadow rays are asked for") {
+TEST_CASE("a light behind a plate of glass counts once, whichever shadow rays are asked for") {
   // Shadow rays go straight through the plate and leave out what is reflected within it: (1 - R)^2
   // of the light for (1 - R) / (1 + R), 0.1 % less for this glass, and more at a slant.
   Scene scene = test::scene_from("integrator path maxRecursionDepth 12 caustics off\n"

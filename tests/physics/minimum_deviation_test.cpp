@@ -39,7 +39,7 @@ double minimum_deviation_deg(const World& world, double n) {
 
 // At minimum deviation the ray runs parallel to the base, so sin((A + delta) / 2) = n sin(A / 2):
 // delta = 2 asin(n / 2) - 60 deg for A = 60 deg. The three figures are computed from Schott's
-// Sellmeier coefficients (golden_optics.csv), not by this program.
+// Sellmeier coefficients, not by this program.
 TEST_CASE("a 60 degree N-BK7 prism has its published minimum deviation at F, d and C") {
   const World world({{thesis_prism(), Transform(), MaterialId{0}, MediumId{0}, 0}}, 10.0);
   const auto at = [&](double nm) {

@@ -57,7 +57,8 @@ TEST_CASE("clear panes are invisible in a white furnace") {
         Approx(1.0).epsilon(0.01));
 }
 
-TEST_CASE("a lamp behind a pane lights by what the pane lets through, whatever stops shadow rays") {
+TEST_CASE(
+    "a light behind a pane lights by what the pane lets through, whatever stops shadow rays") {
   const Glass& bk7 = *find_glass("N-BK7");
   for (const char* rules :
        {"integrator whitted shadows attenuated ", "integrator whitted shadows opaque ",
@@ -77,9 +78,9 @@ TEST_CASE("a lamp behind a pane lights by what the pane lets through, whatever s
   }
 }
 
-// A square lamp of half-width 2 over the floor, at height 2, and one bounce: the light is found by
-// aiming and by chance, and neither counts the pane as a surface.
-TEST_CASE("a large lamp behind a pane is weighed as if the pane were not there") {
+// A square light of half-width 2 over the floor, at height 2, and one bounce: the light is found by
+// light samples and by chance, and neither counts the pane as a surface.
+TEST_CASE("a large light behind a pane is weighed as if the pane were not there") {
   double expected = 0.0;
   constexpr int kSteps = 400;
   for (int i = 0; i < kSteps; ++i)

@@ -10,7 +10,8 @@ namespace {
 
 /// Largest departure from 1 of any band of any pixel when the solid stands in light of radiance 1
 /// from all sides. A lossless solid is then invisible: each pixel's path tree reaches the same
-/// radiance at every leaf, R + T = 1 at every node, and the factors n^2 cancel on the way out.
+/// radiance at every leaf, R + T = 1 at every node, and the factors n^2 cancel where the ray
+/// leaves.
 double furnace_error(const std::string& solid, const std::string& options) {
   const Scene scene = test::scene_from("background E 1\n"
                                        "eye 1.7 1.1 5  lookAt 0 0 0  fieldOfView 28\n"

@@ -20,7 +20,7 @@ TEST_CASE("Metals reflect at normal incidence as they should look") {
     const double k = metal.k.at(nm);
     return ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);
   };
-  // conductors_81.csv at 380 nm, computed by linear interpolation.
+  // At 380 nm, interpolated linearly outside this project.
   CHECK(reflectance("Ag", 380.0) == Approx(0.953564).margin(1e-6));
   CHECK(reflectance("Au", 380.0) == Approx(0.402130).margin(1e-6));
   CHECK(reflectance("Al", 380.0) == Approx(0.924263).margin(1e-6));

@@ -173,7 +173,7 @@ TEST_CASE("Figure 7: the total colour does not darken with the number of rays") 
 TEST_CASE("Figure 7: what darkened the thesis's green was the scaling of each ray by itself") {
   // Patch 14 in equal-energy light on an NTSC monitor. Each group's colour has X + Y + Z = 1, is
   // brought into gamut by itself and counts by its share. Expected: the row "ohta, E, NTSC, B, xyz"
-  // of an independent reproduction (figure7_reproduction.csv); the thesis printed green 1.0000,
+  // of an independent reproduction; the thesis printed green 1.0000,
   // 0.7786, 0.6376, 0.5850, 0.5825.
   const std::array<LinearRgb, 5> expected{{{0.4429, 1.0000, 0.1902},
                                            {0.3920, 0.8487, 0.2431},

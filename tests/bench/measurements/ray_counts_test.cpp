@@ -23,7 +23,7 @@ RayCounts counts_of(const std::string& text, bool exact = false, int bands = 81)
 
 } // namespace
 
-TEST_CASE("a card takes a camera ray and a shadow ray for each lamp") {
+TEST_CASE("a card takes a camera ray and a shadow ray for each light") {
   const RayCounts c = counts_of("background D65 1 light D65 0 3 5 1 light D65 3 0 5 1\n"
                                 "diffuse 0.5 0.5 0.5 square");
   CHECK(c.camera == kSamples);

@@ -50,7 +50,7 @@ TEST_CASE("the record holds every ray that is counted") {
   }
 }
 
-TEST_CASE("with caustics the rays of lamps and of walls are recorded too") {
+TEST_CASE("with caustics the rays of lights and of walls are recorded too") {
   Scene scene = test::project_scene("newton", 16);
   scene.settings.samples_per_pixel = 1;
   scene.settings.threads = 1;
@@ -103,7 +103,7 @@ TEST_CASE("recorded rays meet the same in the world and in raw Embree, at any wi
     }
 }
 
-TEST_CASE("opaque shadow rays are recorded with the distance to their lamp") {
+TEST_CASE("opaque shadow rays are recorded with the distance to their light") {
   const Recorded r = recorded("sphere", ShadowRule::opaque);
   const RaysOfKind& shadow = r.kinds.back();
   REQUIRE(shadow.kind == RayKind::shadow);

@@ -85,7 +85,7 @@ TEST_CASE("mesh hierarchy: triangles at random, and far from the origin") {
   }
 }
 
-TEST_CASE("mesh hierarchy: no way down is long where splits part little") {
+TEST_CASE("mesh hierarchy: no path from the root is long where splits part little") {
   // All about one centre; and each half as far out as the one before, so that every bin but the
   // last holds next to nothing.
   std::vector<dvec3> rings, spiral;

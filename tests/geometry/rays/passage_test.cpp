@@ -80,10 +80,10 @@ Walked walk(const World& world, RayState state, double distance) {
 
 } // namespace
 
-// A lamp on a corner, the middle of an edge, or a face: from each place of the surroundings the way
-// ends there. Before it, the ray has crossed nothing if it comes from outside and does not run
+// A light on a corner, the middle of an edge, or a face: rays from each place of the surroundings
+// end there. Before it, the ray has crossed nothing if it comes from outside and does not run
 // through the cube; what rounding cannot tell from the end does not count.
-TEST_CASE("a way that ends on a corner, an edge or a face of a mesh ends") {
+TEST_CASE("a ray that ends on a corner, an edge or a face of a mesh ends") {
   Random random(120);
   for (const double scale : {1.0, 1e-4, 1e4})
     for (const double away : {0.0, 7.3}) {
@@ -101,7 +101,7 @@ TEST_CASE("a way that ends on a corner, an edge or a face of a mesh ends") {
           REQUIRE(walked.ended);
           REQUIRE(walked.boundaries <= 3);
           const bool started_inside = !state.nesting.empty();
-          const bool sees = [&] { // the lamp's face, if the line is not about in its plane
+          const bool sees = [&] { // the light's face, if the line is not about in its plane
             for (int axis = 0; axis < 3; ++axis)
               if (std::abs(lamp[axis]) == 1.0 && lamp[axis] * place[axis] > 1.001) return true;
             return false;

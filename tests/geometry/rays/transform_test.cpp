@@ -58,7 +58,7 @@ TEST_CASE("maps that flatten space are refused") {
   REQUIRE_NOTHROW(Transform::scaling({1e-4, 1e-4, 1e-4}));
 }
 
-TEST_CASE("inverse_error bounds the rounding of a point's way into the world and back") {
+TEST_CASE("inverse_error bounds the rounding of a point mapped into the world and back") {
   Random random(3);
   double worst = 0.0;
   for (int i = 0; i < 20000; ++i) {
@@ -75,7 +75,7 @@ TEST_CASE("inverse_error bounds the rounding of a point's way into the world and
   CHECK(worst < 1.0);
 }
 
-TEST_CASE("inverse_error: where long terms cancel on the way into the world") {
+TEST_CASE("inverse_error: where long terms cancel in the map into the world") {
   // A point on the short axes of a stretched shape: its coordinates are sums of long terms.
   Random random(5);
   double worst = 0.0;

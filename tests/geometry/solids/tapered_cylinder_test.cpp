@@ -75,7 +75,7 @@ TEST_CASE("tapered cylinder: on the surface, with a contact") {
   Random random(7);
   for (int k = 0; k < 20000; ++k) {
     const TaperedCylinder solid{random.chance(0.3) ? 1.0 : random.uniform(0.0, 2.0)};
-    // From a face to a point inside: the way out is beyond it, and never at a negative t.
+    // From a face to a point inside: the exit is beyond it, and never at a negative t.
     const int face = random.below(3);
     const dvec3 side = glm::normalize(random.direction() * dvec3(1, 1, 0));
     const double z = face == 0 ? random.uniform(0, 1) : face - 1.0;

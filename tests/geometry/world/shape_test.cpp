@@ -35,7 +35,7 @@ TEST_CASE("next_crossing: a ray outside only enters, a ray inside only leaves") 
   REQUIRE(out->t == 1.0);
 }
 
-TEST_CASE("next_crossing: where rounding leaves no way out, it is at once") {
+TEST_CASE("next_crossing: where rounding leaves no exit, it is at once") {
   // Known to be inside, though the line runs past, or the exit lies behind.
   const auto past = next_crossing(Sphere{}, LocalRay{{1 + 1e-15, 0, 0}, {0, 0, 1}}, known(true));
   REQUIRE(past);

@@ -93,7 +93,7 @@ TEST_CASE("occluded agrees with the crossings of all shapes") {
   CHECK(inside > 3000);
 }
 
-TEST_CASE("occluded: a lamp on a surface lights what is before it, not what is behind") {
+TEST_CASE("occluded: a light on a surface lights what is before it, not what is behind") {
   Random random(51);
   int wrong = 0;
   for (int k = 0; k < 100; ++k) {
@@ -106,7 +106,7 @@ TEST_CASE("occluded: a lamp on a surface lights what is before it, not what is b
     const World world(scene.shapes(), 1e4);
     const Transform& at = scene.twins[0].placed.to_world;
     for (int i = 0; i < 300; ++i) {
-      // A lamp on the face z = 1 (z = 0 for the square, anywhere on the ball).
+      // A light on the face z = 1 (z = 0 for the square, anywhere on the ball).
       const double x = random.uniform(-0.9, 0.9), y = random.uniform(-0.9, 0.9);
       const dvec3 local = kind == 0   ? dvec3(x, y, 1)
                           : kind == 1 ? random.direction()
