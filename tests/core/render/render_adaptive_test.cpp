@@ -156,6 +156,8 @@ TEST_CASE("light paths do not decide where samples go") {
     differs |= few.mean(*few.find(kBeauty), x, y, 1) != many.mean(*many.find(kBeauty), x, y, 1);
   });
   CHECK(differs); // the camera's samples see them
+  const SampleCounts counts = sample_counts(few);
+  CHECK(counts.most > 2 * counts.least);
 }
 
 TEST_CASE("a crop of a scene with light paths has the pixels of the whole") {
