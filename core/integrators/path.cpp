@@ -144,8 +144,8 @@ void Path::sample_light(const Hit& hit) {
   const RayState towards_light{{hit.point, sample->direction},
                                through ? hit.other_side : hit.same_side,
                                through ? hit.nesting_after : hit.nesting_before};
-  const float* arriving = shadow_rays_.transmittance(towards_light, sample->distance, light.bands,
-                                                     wavelengths_, *counts_);
+  const float* arriving =
+      shadow_rays_.transmittance(towards_light, *sample, light.bands, wavelengths_, *counts_);
   if (!arriving) return;
   double weight = sample->weight;
   if (shadow_rays_.through_glass()) {

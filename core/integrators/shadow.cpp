@@ -18,6 +18,10 @@ const float* ShadowRays::transmittance(const RayState& towards_light, double dis
   return along(towards_light, distance, bands, wavelengths, counts);
 }
 
+bool ShadowRays::hidden(const Ray& towards_light, const LightSample& light) const {
+  return !world_.shows(light.may_be_hidden, towards_light, light.distance);
+}
+
 const float* ShadowRays::along(const RayState& state, double distance, BandRange bands,
                                PathWavelengths& wavelengths, RayCounts& counts) {
   through_glass_ = false;

@@ -23,6 +23,7 @@ std::unique_ptr<CameraIntegrator> make_integrator(const RenderContext& context) 
 RenderContext::RenderContext(const Scene& the_scene, const Plan& the_plan, const World& the_world)
     : scene(the_scene), plan(the_plan), world(the_world), camera(scene, plan.settings, world),
       lights(scene, plan), light_passes(scene, plan, world, camera.connects() ? &camera : nullptr) {
+  lights.place(world);
 }
 
 TileRenderer::TileRenderer(const RenderContext& context, Film& film,
