@@ -1,5 +1,6 @@
 #include "io/building/scene_builder.h"
 
+#include "io/building/check_reach.h"
 #include "io/building/fingerprint.h"
 #include "spectral/band_grid.h"
 
@@ -36,6 +37,7 @@ MediumId SceneBuilder::add_medium(const SourcePosition& where, const Medium& med
 
 void SceneBuilder::add_shape(const SourcePosition& where, PlacedShape shape,
                              const ShapeMaterial& material) {
+  check_reach(where, "the shape", reach_of(shape));
   check_surface(where, material.finish);
   if (is_solid(shape.shape)) check_solid(scene_, where, material.finish);
   shape.material = add_material(filled_pane(where, material));
