@@ -106,7 +106,7 @@ private:
 std::optional<fs::path> listed_library(const Options& options, const char* name) {
   if (options.list_library) return options.list_library;
   for (const char* folder : {".", "scenes"})
-    if (const auto path = fs::path(folder) / name; exists(path)) return path;
+    if (auto path = fs::path(folder) / name; exists(path)) return path;
   return std::nullopt;
 }
 
