@@ -20,7 +20,9 @@ struct Bundle {
   Passage passage;                ///< what the ray must remember of such boundaries
   int depth = 0;                  ///< how many surfaces the path has met so far
   int panes = 0;                  ///< how many panes it went straight through, which do not count
-  double path_length = 0.0;       ///< from the camera to the ray's origin
+  /// How many surfaces it has met, panes too.
+  [[nodiscard]] int surfaces() const { return depth + panes; }
+  double path_length = 0.0; ///< from the camera to the ray's origin
   /// How much of `path_length` belongs to the ray itself: before its origin it has passed
   /// boundaries that are not seen.
   double unseen_length = 0.0;

@@ -1,5 +1,7 @@
 #include "core/integrators/path.h"
 
+#include "core/integrators/tree_growth.h"
+
 #include <algorithm>
 
 namespace abbe {
@@ -117,12 +119,13 @@ void Path::go_on() {
 }
 
 /// How the path goes on. Where the camera sees a surface itself, or by way of mirrors and glass,
-/// what is reflected may branch off: one of the parts at random would leave grain.
+/// what is reflected may branch off: one of the parts at random would leave grain. Behind many
+/// surfaces all branches together would: their number would vary ever more.
 Scattering::Choice Path::branch() {
   if (scattering_.certain()) return scattering_.choose(0.0);
   const double u = numbers(kScatter).x;
   const double eagerness =
-      bundle().has_pixel_footprint
+      bundle().has_pixel_footprint && bundle().surfaces() < kSurfacesOfTree
           ? share(importance(bundle().hit.medium_before), bundle().bands) / kBranchShare
           : 0.0;
   const auto [reflect_chance, on] = scattering_.branch(u, eagerness);

@@ -37,10 +37,15 @@ private:
   void add_lights(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
                   RayCounts& counts);
   void scatter(const Bundle& bundle, const MaterialPlan& material);
-  void reflect(const float* factors);
-  void refract(const float* factors);
-  void pass(const float* factors);
+  void reflect();
+  void refract();
+  void pass();
+  void go_straight_on(double weight);
+  void choose_branches(const BsdfFacts& facts);
+  [[nodiscard]] double brought(const float* factors, MediumId medium);
+  [[nodiscard]] double faint_chance(double importance) const;
   [[nodiscard]] double chance(double importance) const;
+  [[nodiscard]] double deep_chance(double importance) const;
 
   const Scene& scene_;
   const Lights& lights_; ///< of which only the sky is seen

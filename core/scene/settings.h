@@ -48,6 +48,9 @@ struct Skips {
   friend constexpr bool operator==(const Skips&, const Skips&) = default;
 };
 
+/// The largest limit of depth: as good as none, since paths end at random before.
+inline constexpr int kNoDepthLimit = 1000000;
+
 inline constexpr int kSamplesPerPixel = 16, kMostSamplesPerPixel = 4096;
 /// With fewer samples `automatic` adaptive sampling is off, since errors are then hardly known.
 inline constexpr int kLeastAdaptiveSamples = 8;
@@ -71,8 +74,9 @@ struct RenderSettings {
   Integrator integrator = Integrator::whitted;
   PixelFilter filter = PixelFilter::gaussian;
 
-  int max_depth = 16;            ///< how often a path may be reflected or refracted
-  double min_throughput = 1e-3;  ///< a branch whose every band carries less is dropped
+  int max_depth = kNoDepthLimit; ///< how often a path may be reflected or refracted
+  /// A branch whose every band carries less is followed at random, and then carries this.
+  double min_throughput = 1e-3;
   double min_reflectivity = 0.0; ///< of the thesis: surfaces below it reflect no ray
   double min_transparency = 0.0; ///< of the thesis: surfaces below it refract no ray
   ShadowRule shadows = ShadowRule::automatic;
