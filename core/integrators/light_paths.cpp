@@ -69,9 +69,13 @@ bool LightPaths::start(const EmittedRay& ray) {
   bundle().state = ray.state;
   bundle().kind = RayKind::light;
   bundle().has_pixel_footprint = false;
-  const BandSpan<float> row = throughput();
-  for (int b = lit.first; b < lit.last; ++b)
-    row[b] = source.factor[b] != 0.0f ? plan_.live[static_cast<std::size_t>(b)] : 0.0f;
+  // Both tables are read in every band, so that the loop runs in whole registers.
+  const float *const factor = source.factor.data(), *const live = plan_.live.data();
+  float* const row = throughput().data;
+  for (int b = lit.first; b < lit.last; ++b) {
+    const float carried = live[b];
+    row[b] = factor[b] != 0.0f ? carried : 0.0f;
+  }
   return true;
 }
 

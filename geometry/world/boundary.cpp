@@ -93,7 +93,7 @@ void NearestCandidates::offer_beside_others(const Candidate& candidate) {
   kept_.insert(place, candidate);
 }
 
-MediumId medium_of(const ShapeTable& shapes, const Nesting& nesting) {
+MediumId prevailing_medium(const ShapeTable& shapes, const Nesting& nesting) {
   const ShapeTable::Row* prevailing = nullptr;
   ShapeId owner;
   for (const ShapeId id : nesting) {

@@ -46,8 +46,15 @@ private:
   double reach_ = kInfinity;
 };
 
-/// The medium at a place inside these solids; see World::medium_of.
-[[nodiscard]] MediumId medium_of(const ShapeTable& shapes, const Nesting& nesting);
+/// The medium at a place inside several solids.
+[[nodiscard]] MediumId prevailing_medium(const ShapeTable& shapes, const Nesting& nesting);
+
+/// The medium at a place inside these solids; see World::medium_of. Nearly all places lie inside
+/// one solid or none.
+[[nodiscard]] inline MediumId medium_of(const ShapeTable& shapes, const Nesting& nesting) {
+  if (nesting.empty()) return {};
+  return nesting.size() == 1 ? shapes[nesting[0]].medium : prevailing_medium(shapes, nesting);
+}
 
 /// What the ray meets at the nearest boundary, all coinciding crossings taken as one. A shape
 /// without a medium (opaque or flat) shows before any other; else the one whose medium prevails.
