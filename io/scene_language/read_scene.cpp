@@ -43,6 +43,22 @@ const std::vector<SceneKeyword>& all_keywords() {
   return list;
 }
 
+/// Notes a statement whose effect hangs on what it applies to.
+void note_statement(SceneState& state, std::string_view keyword, const SourcePosition& where) {
+  KeywordLedger& ledger = state.builder.keywords();
+  if (const MaterialEffect* effect = material_effect(keyword)) {
+    NotedKeyword& slot = state.material.given[effect->slot];
+    if (effect->is_neutral(state.material)) {
+      ledger.keep(slot);
+      slot = {};
+    } else {
+      ledger.note(slot, effect->keyword, where);
+    }
+  }
+  if (const LightEffect* effect = light_effect(keyword))
+    ledger.note(state.light.given[effect->slot], effect->keyword, where);
+}
+
 const SceneKeyword* find_keyword(const Token& token) {
   for (const SceneKeyword& keyword : all_keywords())
     if (is_word(token, name_of(keyword))) return &keyword;
@@ -93,6 +109,7 @@ void read_statement(SceneState& state, TokenReader& reader) {
   Arguments arguments(reader, token, keyword->usage);
   try {
     keyword->read(state, arguments);
+    note_statement(state, name_of(*keyword), token.where);
   } catch (const std::invalid_argument& error) { // from below: numbers of an absurd size
     throw ReadError(token.where, fmt::format("{} cannot be carried out", name_of(*keyword)),
                     error.what(), "Give numbers of an ordinary size");
@@ -113,6 +130,7 @@ Scene read_scene_text(std::string_view text, const std::filesystem::path& file, 
   check_pushes(state);
   if (state.camera_at) check_view(*state.camera_at, state.scene.camera);
   finish_camera_lens(state);
+  state.builder.keywords().warn_of_rest(state.warn);
   if (state.crop_at) check_crop(*state.crop_at, state.scene.settings);
   if (files) {
     files->push_back(file);

@@ -38,7 +38,8 @@ double radians(double angle_deg) {
 }
 
 void add_light(SceneState& state, std::string name, const Curve& spectrum, const LightKind& kind) {
-  state.builder.add_light({std::move(name), spectrum.scaled(state.light.intensity), kind});
+  state.builder.add_light({std::move(name), spectrum.scaled(state.light.intensity), kind},
+                          state.light.given);
 }
 
 /// A direction of the file, not 0 0 0, in the world and of unit length.

@@ -27,6 +27,7 @@ struct CurrentLight {
   double intensity = 1.0;
   double soft_edge_deg = 0.0;
   double sun_radius = SunLight().angular_radius;
+  LightKeywords given; ///< the statements that it comes from
 };
 
 /// A transform that waits for its `pop`.

@@ -154,7 +154,7 @@ TEST_CASE("a branch is followed for sure for its brightest band") {
   // Reflectance below 0.1 in the blue, above 0.9 in the red: the red keeps the blue alive.
   const std::string mirror = "eye -5 0 5 lookAt 0 0 0 background E 1 minThroughput 0.5 "
                              "materials \"" ABBE_SOURCE_DIR "/scenes/all.mtl\" "
-                             "UseMaterial StrongOrangeYellow square";
+                             "UseMaterial StrongOrangeYellow transparency 0 square";
   const Scene scene = narrow(mirror);
   Scene bright = scene;
   bright.materials[0].reflectivity = Curve::table({500.0, 600.0}, {0.05, 0.95});
