@@ -39,6 +39,11 @@ std::vector<LayerForm> beauty_layers(const BeautyForm& form) {
   beauty.strata = form.errors;
 
   std::vector<LayerForm> layers{beauty};
+  if (form.evidence) {
+    layers.push_back(beauty);
+    layers.back().name = kEvidence;
+    layers.back().strata = true;
+  }
   if (form.bands > 0) layers.push_back(bands);
   if (form.splats) layers.push_back(splats);
   if (form.splats && form.bands > 0) layers.push_back(band_splats);
@@ -77,9 +82,10 @@ void Film::raise_boundary(std::size_t pixel, std::uint32_t boundary) {
     if (layer.form().strata) layer.close_first_stratum(pixel);
 }
 
-void Film::add(const FilmSample& sample, const Xyz& color, std::span<const float> radiance) {
+Film::Place Film::add(const FilmSample& sample, const Xyz& color, std::span<const float> radiance) {
   const Place place = count(sample);
   if (add(*beauty_, place, color) && bands_) add(*bands_, place, radiance);
+  return place;
 }
 
 void Film::add_splat(int x, int y, const Xyz& color, std::span<const float> radiance, double u) {
@@ -166,16 +172,16 @@ Xyz Film::error(int x, int y) const {
   return {std::abs(e.x), std::abs(e.y), std::abs(e.z)};
 }
 
-Xyz Film::signed_error(int x, int y) const {
+Xyz Film::signed_error(LayerId id, int x, int y) const {
   const std::size_t pixel = window_.index(x, y);
-  const Layer& beauty = layer(*beauty_);
+  const Layer& colors = layer(id);
   const double n = counts_[pixel], a = strata_[pixel].first, b = n - a;
   constexpr double unknown = std::numeric_limits<double>::infinity();
   if (a == 0.0 || b == 0.0) return {unknown, unknown, unknown};
-  const double scale = std::sqrt(a * b) / n * beauty.form().quantum;
+  const double scale = std::sqrt(a * b) / n * colors.form().quantum;
   const auto error = [&](std::size_t i) {
-    const auto first = static_cast<double>(beauty.first_sum(pixel, i));
-    const auto second = static_cast<double>(beauty.sum(pixel, i) - beauty.first_sum(pixel, i));
+    const auto first = static_cast<double>(colors.first_sum(pixel, i));
+    const auto second = static_cast<double>(colors.sum(pixel, i) - colors.first_sum(pixel, i));
     return scale * (first / a - second / b);
   };
   return {error(0), error(1), error(2)};

@@ -27,12 +27,16 @@ enum class LayerId : std::uint8_t {};
 /// bands where these are kept, and the splats of light paths, which have a count of their own.
 struct BeautyForm {
   double quantum = 1.0;
-  int bands = 0;       ///< 0 for colours alone, else the number of bands that are kept too
-  bool errors = false; ///< the film keeps what `error` needs
-  bool splats = false; ///< light paths add to the film
+  int bands = 0;         ///< 0 for colours alone, else the number of bands that are kept too
+  bool errors = false;   ///< the film keeps what `error` needs
+  bool splats = false;   ///< light paths add to the film
+  bool evidence = false; ///< what decides where samples go is not the beauty itself
 };
 [[nodiscard]] std::vector<LayerForm> beauty_layers(const BeautyForm& form);
 inline constexpr const char* kBeauty = "beauty";
+/// The colours of camera samples without what photon maps bring, with strata. Photon maps are
+/// shared by pixels, and what samples share may not decide on their number.
+inline constexpr const char* kEvidence = "evidence";
 inline constexpr const char* kBands = "bands";
 inline constexpr const char* kSplats = "beauty.splats";
 inline constexpr const char* kBandSplats = "bands.splats";
@@ -49,16 +53,17 @@ public:
   Film(PixelWindow window, double quantum, int bands, bool keep_errors = false,
        const BandPlace& place = {});
 
-  /// Adds a sample's beauty. `radiance` holds one value per band when the film keeps bands.
-  /// What a layer refuses adds nothing, though the sample counts; bands come with their colour or
-  /// not at all. Two threads must not add to one pixel at once.
-  void add(const FilmSample& sample, const Xyz& color, std::span<const float> radiance);
-
   /// Where the values of a sample go that has been counted.
   struct Place {
     std::size_t pixel;
     Stratum stratum;
   };
+  /// Adds a sample's beauty. `radiance` holds one value per band when the film keeps bands.
+  /// What a layer refuses adds nothing, though the sample counts; bands come with their colour or
+  /// not at all. Two threads must not add to one pixel at once. The place is where the sample's
+  /// values for other layers go.
+  Place add(const FilmSample& sample, const Xyz& color, std::span<const float> radiance);
+
   /// Counts a sample, which its values need before they can be added to layers one by one.
   Place count(const FilmSample& sample);
   bool add(LayerId layer, const Place& place, const Xyz& color) {
@@ -117,7 +122,9 @@ public:
   [[nodiscard]] Xyz error(int x, int y) const;
   /// The same with the sign of A - B, so that it is linear in the samples: its linear R, G, B are
   /// those of the pixel's error.
-  [[nodiscard]] Xyz signed_error(int x, int y) const;
+  [[nodiscard]] Xyz signed_error(int x, int y) const { return signed_error(*beauty_, x, y); }
+  /// The same of any layer of colours with strata.
+  [[nodiscard]] Xyz signed_error(LayerId id, int x, int y) const;
 
 private:
   friend void merge(Film& film, const Film& other);

@@ -26,41 +26,62 @@ double dot(const double* sums, const float* weights, std::size_t count) {
 
 } // namespace
 
-RadianceSums::RadianceSums(const Plan& plan)
-    : plan_(plan), sums_(plan.accumulators.size() * plan.stride), radiance_(plan.stride) {}
+RadianceSums::RadianceSums(const Plan& plan, bool apart)
+    : plan_(plan), mapped_(apart ? plan.accumulators.size() : 0),
+      sums_((mapped_ + plan.accumulators.size()) * plan.stride), radiance_(plan.stride) {}
 
 void RadianceSums::clear() {
-  for (std::size_t i = 0; i < plan_.accumulators.size(); ++i)
-    std::fill(sums(static_cast<int>(i)) + used_.first, sums(static_cast<int>(i)) + used_.last, 0.0);
+  const std::size_t count = sums_.size() / plan_.stride;
+  for (std::size_t i = 0; i < count; ++i)
+    std::fill(sums(i) + used_.first, sums(i) + used_.last, 0.0);
   used_ = {};
 }
 
 void RadianceSums::add(int source, BandSpan<const float> throughput, const BandTable& reflectance,
                        float factor) {
   const SourcePlan& s = plan_.sources[static_cast<std::size_t>(source)];
-  if (s.factor.zero()) return;
+  add_to(sums(static_cast<std::size_t>(s.accumulator)), s.factor, throughput, reflectance, factor);
+}
+
+void RadianceSums::add_mapped(int source, BandSpan<const float> throughput,
+                              const BandTable& reflectance, float factor) {
+  const SourcePlan& s = plan_.sources[static_cast<std::size_t>(source)];
+  add_to(sums(mapped_ + static_cast<std::size_t>(s.accumulator)), s.factor, throughput, reflectance,
+         factor);
+}
+
+void RadianceSums::add_to(double* sum, const BandTable& light, BandSpan<const float> throughput,
+                          const BandTable& reflectance, float factor) {
+  if (light.zero()) return;
   const auto [first, last] = throughput.bands;
   used_ = used_.empty() ? BandRange{first, last}
                         : BandRange{std::min(used_.first, first), std::max(used_.last, last)};
-  double* sum = sums(s.accumulator);
-  const auto light = s.factor.constant(), part = reflectance.constant();
-  if (light && part) {
-    const float product = *light * *part * factor;
+  const auto constant = light.constant(), part = reflectance.constant();
+  if (constant && part) {
+    const float product = *constant * *part * factor;
     for (int b = first; b < last; ++b)
       sum[b] += static_cast<double>(throughput[b] * product);
   } else {
     for (int b = first; b < last; ++b)
-      sum[b] += static_cast<double>(throughput[b] * (s.factor[b] * reflectance[b] * factor));
+      sum[b] += static_cast<double>(throughput[b] * (light[b] * reflectance[b] * factor));
   }
 }
 
 Xyz RadianceSums::color() const {
+  return mapped_ == 0 ? color_from(0) : color_from(0) + color_from(mapped_);
+}
+
+Xyz RadianceSums::own_color() const {
+  return color_from(0);
+}
+
+Xyz RadianceSums::color_from(std::size_t accumulator) const {
   Xyz color{0.0, 0.0, 0.0};
   const int begin = used_.first & -kLanes; // a band's lane does not depend on which are used
   const auto count = static_cast<std::size_t>(used_.last - begin);
   for (std::size_t i = 0; i < plan_.accumulators.size(); ++i) {
     const AccumulatorPlan& weights = plan_.accumulators[i];
-    const double* sum = sums_.data() + i * plan_.stride + begin;
+    const double* sum = sums_.data() + (accumulator + i) * plan_.stride + begin;
     color.x += dot(sum, weights.x.data() + begin, count);
     color.y += dot(sum, weights.y.data() + begin, count);
     color.z += dot(sum, weights.z.data() + begin, count);
@@ -73,8 +94,10 @@ std::span<const float> RadianceSums::radiance() {
   for (std::size_t b = 0; b < bands; ++b) {
     double mean = 0.0;
     for (std::size_t i = 0; i < plan_.accumulators.size(); ++i)
-      mean += sums_[i * plan_.stride + b] *
-              static_cast<double>(plan_.accumulators[i].radiance[static_cast<int>(b)]);
+      mean +=
+          (mapped_ == 0 ? sums_[i * plan_.stride + b]
+                        : sums_[i * plan_.stride + b] + sums_[(mapped_ + i) * plan_.stride + b]) *
+          static_cast<double>(plan_.accumulators[i].radiance[static_cast<int>(b)]);
     radiance_[b] = static_cast<float>(mean);
   }
   return {radiance_.data(), bands};

@@ -3,6 +3,7 @@
 #include "core/image/metadata.h"
 #include "spectral/adaptation.h"
 
+#include <cmath>
 #include <utility>
 
 namespace abbe {
@@ -59,7 +60,8 @@ SceneLinearImage develop_scene_linear(const Film& film, const Plan& plan, SceneL
   ImageChannel samples{"samples", {}}, error{"error.Y", {}};
   for_each_pixel(film.window(), [&](int x, int y) {
     samples.values.push_back(static_cast<float>(film.samples(x, y)));
-    error.values.push_back(static_cast<float>(film.error(x, y).y));
+    const double e = film.error(x, y).y; // infinite where it is unknown
+    error.values.push_back(std::isfinite(e) ? static_cast<float>(e) : 0.0f);
   });
   image.channels = {std::move(samples), std::move(error)};
   return image;

@@ -176,8 +176,8 @@ void Path::look_up_photons(const Hit& hit) {
         if (!(scattering_.evaluate(-photon.direction, light.data) > 0.0)) return;
         for (int b = light.bands.first; b < light.bands.last; ++b)
           light[b] *= carried[b] * flux[b - photon.bands.first];
-        sums_->add(photon.source, light, ones_,
-                   static_cast<float>(photons_->density_factor() / cosine));
+        sums_->add_mapped(photon.source, light, ones_,
+                          static_cast<float>(photons_->density_factor() / cosine));
       });
 }
 

@@ -9,7 +9,9 @@ RenderState begin_rendering(const Scene& scene, const Plan& plan,
   const BeautyForm beauty{.quantum = plan.quantum,
                           .bands = bands ? plan.grid.count() : 0,
                           .errors = plan.settings.needs_errors(),
-                          .splats = plan.caustics && connects(scene.camera.kind)};
+                          .splats = plan.caustics && connects(scene.camera.kind),
+                          .evidence =
+                              plan.caustics && plan.settings.adaptive == AdaptiveSampling::on};
   RenderState state{
       .film = Film(plan.window, beauty_layers(beauty), bands.value_or(BandPlace{})),
       .tiles = std::vector<TileState>(plan.tiles.size()),

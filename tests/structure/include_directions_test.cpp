@@ -43,6 +43,7 @@ constexpr Permission kPermissions[] = {
     {"core/integrators/light_pass.cpp", "tbb/"},
     {"core/render/render.cpp", "tbb/"},
     {"core/adaptive/sample_allocation.cpp", "tbb/"},
+    {"core/adaptive/sample_shares.cpp", "tbb/"},
     {"core/film/file_backed_sums.cpp", "fcntl.h"},
     {"core/film/file_backed_sums.cpp", "sys/mman.h"},
     {"core/film/file_backed_sums.cpp", "unistd.h"},
