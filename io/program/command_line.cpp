@@ -166,6 +166,9 @@ Options parse_command_line(int argc, const char* const* argv) {
     options.exit_code = app.exit(error) == 0 ? 0 : kExitUsage;
     return options;
   }
+  for (const CLI::App* command : {render, plan, list})
+    for (const CLI::Option* option : command->get_options())
+      if (option->count() > 0) options.given.push_back(option->get_name());
   options.command = render->parsed() ? Command::render
                     : plan->parsed() ? Command::plan
                                      : Command::list;

@@ -21,6 +21,7 @@ struct Options {
   SettingsOverride settings;
   DisplayOverride display;
   OutputOptions output;
+  std::vector<std::string> given;             ///< the names of all options that were given
   std::vector<std::filesystem::path> outputs; ///< empty: NAME.exr and NAME.tiff
   std::optional<std::filesystem::path> spectral_output;
   bool quiet = false;

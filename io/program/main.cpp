@@ -9,6 +9,7 @@
 #include "io/program/command_line.h"
 #include "io/program/interrupt.h"
 #include "io/program/list.h"
+#include "io/program/output_effects.h"
 #include "io/program/progress.h"
 #include "io/program/terminal.h"
 #include "io/program/write_each.h"
@@ -80,9 +81,12 @@ int render_command(const Options& options) {
   outlive_readers();
   const std::atomic<bool>& stop = interrupted();
   InputFiles inputs;
-  const Scene scene = read_scene_file(options.scene_path, print_warning, &inputs);
+  GivenKeywords given;
+  const Scene scene = read_scene_file(options.scene_path, print_warning, &inputs, &given);
+  warn_of_settings(scene, given, options.settings, print_warning);
   const Outputs all_outputs = outputs_of(options, scene);
   check_outputs(all_outputs, inputs);
+  warn_of_outputs(options, all_outputs, print_warning);
   const std::vector<fs::path>& outputs = all_outputs.images;
   const Plan plan = make_plan(scene, overridden(scene.settings, options.settings));
   if (!options.quiet) print_plan(plan);
@@ -109,7 +113,9 @@ int render_command(const Options& options) {
 }
 
 int plan_command(const Options& options) {
-  const Scene scene = read_scene_file(options.scene_path, print_warning);
+  GivenKeywords given;
+  const Scene scene = read_scene_file(options.scene_path, print_warning, nullptr, &given);
+  warn_of_settings(scene, given, options.settings, print_warning);
   print_plan(make_plan(scene, overridden(scene.settings, options.settings)));
   return 0;
 }
