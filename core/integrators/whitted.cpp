@@ -23,20 +23,18 @@ constexpr double kSurePart = 1.0 / 16.0;
 
 Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, const Lights& lights,
                  double pixel_angle)
-    : BundleWalk(plan, world, pixel_angle, Transport::radiance), scene_(scene), lights_(lights),
-      shadow_rays_(plan, world), single_scatter_(scene, plan, world), reflected_(plan.stride),
-      transmitted_(plan.stride), textured_(0.0f, plan.grid.count()), lit_(plan.stride),
-      coated_(plan.stride) {}
+    : BundleWalk(plan, world, pixel_angle, Transport::radiance), scene_(scene),
+      shadow_rays_(plan, world), single_scatter_(scene, plan, world), sky_(plan, lights),
+      reflected_(plan.stride), transmitted_(plan.stride), textured_(0.0f, plan.grid.count()),
+      lit_(plan.stride), coated_(plan.stride) {}
 
-/// All bundles of a camera sample wait at once.
-void Whitted::start(const CameraPaths& paths) {
-  for (std::size_t i = 0; i < paths.count; ++i) {
-    paths.begin(i, bundle());
-    const BandSpan<float> row = throughput();
-    for (int b = row.bands.first; b < row.bands.last; ++b)
-      row[b] = plan_.live[static_cast<std::size_t>(b)] * paths.bundles[i].weight;
-    wait();
-  }
+void Whitted::start(const CameraPaths& paths, std::size_t i) {
+  paths.begin(i, bundle());
+  sky_.begin_path(bundle().state.ray.direction);
+  const BandSpan<float> row = throughput();
+  for (int b = row.bands.first; b < row.bands.last; ++b)
+    row[b] = plan_.live[static_cast<std::size_t>(b)] * paths.bundles[i].weight;
+  wait();
 }
 
 void Whitted::trace(const CameraPaths& paths, const Sampler& sampler, RadianceSums& sums,
@@ -44,24 +42,22 @@ void Whitted::trace(const CameraPaths& paths, const Sampler& sampler, RadianceSu
   decisions_ = sampler.decisions();
   begin_path(sampler.pair(kWavelength), counts);
   single_scatter_.begin_path(sampler, wavelengths_, sums, counts);
-  start(paths);
-  while (take()) {
-    extend();
-    shade_ray(sums, counts);
+  for (std::size_t i = paths.count; i-- > 0;) {
+    start(paths, i);
+    while (take()) {
+      extend();
+      shade_ray(sums, counts);
+    }
   }
 }
 
 void Whitted::shade_ray(RadianceSums& sums, RayCounts& counts) {
   if (!single_scatter_.arrive(bundle(), throughput())) return wait();
-  if (!bundle().hit.met()) return add_background(bundle(), sums);
+  if (!bundle().hit.met()) return sky_.add(bundle(), true, throughput(), sums);
   const MaterialPlan* material = &plan_.materials[bundle().hit.material.index()];
   if (material->mixture) material = &part_of(plan_, *material, decisions_.next());
   shade(bundle(), *material, sums, counts);
   scatter(bundle(), *material);
-}
-
-void Whitted::add_background(const Bundle& bundle, RadianceSums& sums) {
-  lights_.add_sky(bundle.state.ray.direction, 0.0, true, throughput(), sums);
 }
 
 void Whitted::shade(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
@@ -143,18 +139,19 @@ void Whitted::scatter(const Bundle& bundle, const MaterialPlan& material) {
   Incidence in = surface_incidence(material.bsdf, hit, bundle.bands, wavelengths_);
   in.wo = {0.0, 0.0, std::abs(glm::dot(hit.normal, bundle.state.ray.direction))};
   specular_factors(material.bsdf, in, {reflected_.data(), transmitted_.data()});
-  if (facts.reflects && !last) reflect(reflected_.data());
+  if (facts.reflects && !last) reflect(reflected_.data(), facts.transmits || facts.passes);
   if (facts.transmits) refract(transmitted_.data());
   if (facts.passes) pass(transmitted_.data());
 }
 
-void Whitted::reflect(const float* factors) {
+void Whitted::reflect(const float* factors, bool clear) {
   const double brought = importance(largest_product(throughput(), factors), bundle().bands.first,
                                     bundle().hit.medium_before);
   if (!(brought > plan_.settings.min_throughput)) return;
   const double survives = chance(brought);
   if (survives < 1.0 && decisions_.next() >= survives) return;
-  branch_off_reflection(factors, 1.0 / survives);
+  Bundle& next = branch_off_reflection(factors, 1.0 / survives);
+  if (!clear) next.route = Route::opaque;
 }
 
 /// Straight on through a pane. Where the bundle has met as many surfaces as it may, this is still
