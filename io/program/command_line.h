@@ -23,6 +23,7 @@ struct Options {
   OutputOptions output;
   std::vector<std::filesystem::path> outputs; ///< empty: NAME.exr and NAME.tiff
   std::optional<std::filesystem::path> spectral_output;
+  std::optional<double> memory_limit_gib; ///< empty: what the machine has left
   bool quiet = false;
   std::string list_what; ///< glasses, lights, materials or metals; empty: all, for a plot
   std::optional<std::filesystem::path> list_library;
