@@ -102,8 +102,9 @@ Scene lens_scene(std::size_t count) {
   const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
   const double cell = 2.0 / static_cast<double>(columns);
   for (std::size_t i = 0; i < count; ++i) {
-    const dvec3 place(cell * (static_cast<double>(i % columns) + 0.5) - 1.0,
-                      1.0 - cell * (static_cast<double>(i / columns) + 0.5), 0.0);
+    const std::size_t column = i % columns, row = i / columns;
+    const dvec3 place(cell * (static_cast<double>(column) + 0.5) - 1.0,
+                      1.0 - cell * (static_cast<double>(row) + 0.5), 0.0);
     const double size = 0.45 * cell; // lenses do not touch
     stage.add(model, Transform::translation(place).after(Transform::scaling({size, size, size})));
   }

@@ -68,7 +68,7 @@ void collect(const Json& node, const std::string& parents, std::vector<Timing>& 
         timings.push_back({fmt::format("{}: embree {}", name, width),
                            seconds.at("repeats").get<std::vector<double>>()});
     } else if (key.starts_with("by_")) {
-      collect(value, name + ", " + key, timings);
+      collect(value, fmt::format("{}, {}", name, key), timings);
     } else {
       collect(value, name, timings);
     }

@@ -38,7 +38,7 @@ Lanes over_lanes(const float* a, const float* c, int first, int last, Step&& ste
   const auto partly = [&] {
     const Indices band = kLane + group;
     const Wide next = step(wide, loaded(a + group), loaded(c + group));
-    wide = (band >= first) & (band < last) ? next : wide;
+    wide = ((band >= first) & (band < last)) ? next : wide;
   };
   if (group != first) {
     partly();

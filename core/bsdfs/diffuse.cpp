@@ -1,10 +1,7 @@
 #include "core/bsdfs/diffuse.h"
 
-#include "geometry/solids/disc_point.h"
+#include "core/optics/microfacet.h"
 
-#include <glm/geometric.hpp>
-
-#include <cmath>
 #include <numbers>
 
 namespace abbe {
@@ -17,10 +14,8 @@ double Diffuse::evaluate(const Incidence& in, const dvec3& wi, float* f_cos) con
   return pdf;
 }
 
-/// Projecting the uniform points of the unit disc up to the hemisphere gives the pdf cos / pi.
 std::optional<dvec3> Diffuse::sample(const Incidence&, const dvec2& u, const dvec2&) const {
-  const dvec2 p = disc_point(u);
-  return dvec3{p.x, p.y, std::sqrt(std::max(0.0, 1.0 - glm::dot(p, p)))};
+  return sample_cosine_hemisphere(u);
 }
 
 } // namespace abbe

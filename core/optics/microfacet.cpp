@@ -1,6 +1,7 @@
 #include "core/optics/microfacet.h"
 
 #include "geometry/solids/circle_point.h"
+#include "geometry/solids/disc_point.h"
 
 #include <glm/geometric.hpp>
 
@@ -49,7 +50,8 @@ double Ggx::visible_pdf(const dvec3& wo, const dvec3& h) const {
 }
 
 dvec3 sample_cosine_hemisphere(const dvec2& u) {
-  return {std::sqrt(u.x) * circle_point(u.y), std::sqrt(1.0 - u.x)};
+  const dvec2 p = disc_point(u);
+  return {p.x, p.y, std::sqrt(std::max(0.0, 1.0 - glm::dot(p, p)))};
 }
 
 } // namespace abbe

@@ -76,20 +76,20 @@ Bsdf plan_bsdf(const Material& material, const CurveTables& tables, Plan& plan) 
     const BandTable transparency =
         unless_faint(given_transparency, settings.min_transparency, bands);
     if (reflectivity.zero() && transparency.zero()) return Diffuse{};
-    const Dielectric smooth{reflectivity, transparency, material.fresnel, film};
+    Dielectric smooth{reflectivity, transparency, material.fresnel, film};
     if (roughness == 0.0) return smooth;
-    return RoughDielectric{smooth, roughness, material.compensation, std::nullopt};
+    return RoughDielectric{std::move(smooth), roughness, material.compensation, std::nullopt};
   }
   if (reflectivity.zero()) return Diffuse{};
   if (material.metal && material.fresnel) {
-    const Conductor smooth{reflectivity, tables.of(material.metal->n), tables.of(material.metal->k),
-                           film};
+    Conductor smooth{reflectivity, tables.of(material.metal->n), tables.of(material.metal->k),
+                     film};
     if (roughness == 0.0) return smooth;
-    return RoughConductor{smooth, roughness, material.compensation, std::nullopt};
+    return RoughConductor{std::move(smooth), roughness, material.compensation, std::nullopt};
   }
-  const Mirror smooth{reflectivity};
+  Mirror smooth{reflectivity};
   if (roughness == 0.0) return smooth;
-  return RoughConductor{smooth, roughness, material.compensation, std::nullopt};
+  return RoughConductor{std::move(smooth), roughness, material.compensation, std::nullopt};
 }
 
 void plan_albedos(Plan& plan) {

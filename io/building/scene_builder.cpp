@@ -39,14 +39,19 @@ void SceneBuilder::add_shape(const SourcePosition& where, PlacedShape shape,
                              const ShapeMaterial& material) {
   check_reach(where, "the shape", reach_of(shape));
   check_surface(where, material.finish);
-  if (is_solid(shape.shape)) check_solid(scene_, where, material.finish);
+  if (is_solid(shape.shape))
+    check_solid(scene_, where, material.finish);
+  else
+    check_sheet(scene_, where, material);
+  keywords_.meet_shape(material, is_solid(shape.shape));
   shape.material = add_material(filled_pane(where, material));
   if (is_solid(shape.shape) && is_transparent(material.finish))
     shape.medium = add_medium(where, material.medium);
   scene_.shapes.push_back(std::move(shape));
 }
 
-void SceneBuilder::add_light(Light light) {
+void SceneBuilder::add_light(Light light, const LightKeywords& given) {
+  keywords_.meet_light(given, light.kind);
   scene_.lights.push_back(std::move(light));
 }
 
@@ -70,6 +75,8 @@ ShapeMaterial SceneBuilder::mix(const SourcePosition& where, const ShapeMaterial
     throw ReadError(where, "the two materials would fill a solid differently",
                     "both let light in, and a solid has one filling",
                     "Mix materials of the same glass, or one that lets no light in");
+  for (const ShapeMaterial* part : {&first, &second})
+    keywords_.meet_shape(*part, true);
   ShapeMaterial mixed{{}, lets_in ? first.medium : second.medium};
   if (!lets_in && !other) mixed.medium = ShapeMaterial{}.medium;
   mixed.finish.name = fmt::format("{} and {}", first.finish.name, second.finish.name);

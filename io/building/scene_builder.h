@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scene/scene.h"
+#include "io/building/keyword_effects.h"
 #include "io/building/shape_material.h"
 #include "io/text/read_error.h"
 
@@ -35,8 +36,8 @@ public:
   /// ReadError for a material that does not fit.
   void add_shape(const SourcePosition& where, PlacedShape shape, const ShapeMaterial& material);
 
-  /// Adds a light.
-  void add_light(Light light);
+  /// Adds a light, to which the noted statements apply.
+  void add_light(Light light, const LightKeywords& given = {});
 
   /// The number of the image that this file holds, which `read` reads unless it is there.
   std::size_t add_image(const std::filesystem::path& file,
@@ -49,6 +50,9 @@ public:
 
   /// Warns once of a glass whose formula was not fitted for all wavelengths of a picture.
   void warn_of_extrapolation(const SourcePosition& where, const Glass& glass, const Warn& warn);
+
+  /// What keywords have acted on.
+  [[nodiscard]] KeywordLedger& keywords() { return keywords_; }
 
   /// Hands out the scene, after which the builder has none.
   [[nodiscard]] Scene take() { return std::move(scene_); }
@@ -64,6 +68,7 @@ private:
                                 const Check& check);
 
   Scene scene_;
+  KeywordLedger keywords_;
   KnownValues materials_, media_;
   std::map<std::filesystem::path, std::size_t> images_;
   std::set<const Glass*> warned_glasses_;

@@ -1,6 +1,7 @@
 #include "io/building/shape_material.h"
 
 #include "core/scene/quantity_limits.h"
+#include "core/scene/scene.h"
 #include "spectral/band_grid.h"
 
 #include <fmt/format.h>
@@ -61,6 +62,15 @@ bool is_transparent(const Material& finish) {
   return finish.transparency.constant_value() != 0.0;
 }
 
+bool needs_inside(const Scene& scene, const ShapeMaterial& material) {
+  const Medium& medium = material.medium;
+  if (is_achromatic(medium.index) && refractive_index(medium.index, kLowerNm) == 1.0) return false;
+  if (const auto& mixture = material.finish.mixture)
+    return needs_inside(scene, {scene.materials[mixture->first.index()], medium}) ||
+           needs_inside(scene, {scene.materials[mixture->second.index()], medium});
+  return is_transparent(material.finish) && material.finish.fresnel && !material.finish.pane;
+}
+
 void check_surface(const SourcePosition& where, const Material& finish) {
   if (finish.pane && (finish.film || finish.roughness > 0.0 || !finish.fresnel))
     throw ReadError(where,
@@ -89,6 +99,13 @@ void check_solid(const Scene& scene, const SourcePosition& where, const Material
     throw ReadError(where, "thinGlass does not go with a solid",
                     "it is a pane without an inside, for squares, discs, planes and open meshes",
                     "Give glass instead, or one of those shapes");
+}
+
+void check_sheet(const Scene& scene, const SourcePosition& where, const ShapeMaterial& material) {
+  if (needs_inside(scene, material))
+    throw ReadError(where, "a transparent material does not go with a sheet",
+                    "squares, discs, planes and open meshes have no inside that it could fill",
+                    "Give thinGlass, a pane of some thickness, or a flat cube");
 }
 
 Material filled_pane(const SourcePosition& where, const ShapeMaterial& material) {

@@ -83,6 +83,7 @@ MaterialId operand_finish(SceneState& state, const SourcePosition& where) {
   const BooleanScope& scope = *state.boolean;
   const CurrentMaterial& own = state.material;
   check_surface(where, own.finish);
+  state.builder.keywords().meet_shape(own, true);
   check_solid(state.builder.scene(), where, own.finish);
   const bool other_filling =
       is_transparent(own.finish) && scope.filling && own.medium != *scope.filling;

@@ -46,7 +46,8 @@ dvec3 world_position(const SceneState& state, Arguments& arguments, const dvec3&
 }
 
 void add_light(SceneState& state, std::string name, const Curve& spectrum, const LightKind& kind) {
-  state.builder.add_light({std::move(name), spectrum.scaled(state.light.intensity), kind});
+  state.builder.add_light({std::move(name), spectrum.scaled(state.light.intensity), kind},
+                          state.light.given);
 }
 
 /// A direction of the file, not 0 0 0, in the world and of unit length.
