@@ -138,6 +138,13 @@ double Lights::pdf(const dvec3& place, const Hit& hit) const {
                     light.surface);
 }
 
+bool Lights::sun_shows(const dvec3& direction) const {
+  return std::ranges::any_of(discs_, [&](int i) {
+    const Choice& choice = choices_[static_cast<std::size_t>(i)];
+    return std::get<LightDisc>(choice.extent).directions.holds(direction);
+  });
+}
+
 void Lights::add_sky(const dvec3& direction, double pdf, bool suns, BandSpan<float> throughput,
                      RadianceSums& sums) const {
   sums.add(Plan::kBackground, throughput, ones_, 1.0f);

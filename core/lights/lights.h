@@ -51,6 +51,9 @@ public:
     if (sample.environment) plan_.environment->scale(sample.direction, light);
   }
 
+  /// True where a ray that leaves the scene along a unit direction sees the disc of a sun.
+  [[nodiscard]] bool sun_shows(const dvec3& direction) const;
+
   /// Adds what a ray sees that leaves the scene along a unit direction: the background, the discs
   /// of suns (unless they are found otherwise), and the environment, each weighed against `sample`
   /// where the ray's direction was drawn with this pdf per steradian (0: it was not). The ray ends

@@ -27,8 +27,11 @@ RenderContext::RenderContext(const Scene& the_scene, const Plan& the_plan, const
 
 TileRenderer::TileRenderer(const RenderContext& context, Film& film,
                            std::span<std::uint32_t> pixel_rays)
-    : plan_(context.plan), world_(context.world), film_(film), pixel_rays_(pixel_rays),
-      integrator_(make_integrator(context)), sums_(plan_), start_(plan_, context.camera) {}
+    : plan_(context.plan), world_(context.world), film_(film),
+      transparency_(film.find(kTransparency)), transmittance_(film.find(kTransmittance)),
+      pixel_rays_(pixel_rays), integrator_(make_integrator(context)),
+      sums_(plan_, film.find(kEvidence).has_value()), evidence_(film.find(kEvidence)),
+      start_(plan_, context.camera) {}
 
 SampleRange PassSamples::of(const Film& film, int x, int y) const {
   if (allocation_.empty()) return all_;
@@ -89,8 +92,13 @@ void TileRenderer::trace_sample(const CameraSample& sample, const CameraPaths& s
   bool covered = false;
   for (std::size_t i = 0; i < start.count; ++i)
     covered |= start.hits[i].met();
-  film_.add({sample.x, sample.y, sample.index, covered}, sums_.color(),
-            film_.bands() > 0 ? sums_.radiance() : std::span<const float>());
+  const Film::Place place =
+      film_.add({sample.x, sample.y, sample.index, covered}, sums_.color(),
+                film_.bands() > 0 ? sums_.radiance() : std::span<const float>());
+  if (evidence_) film_.add(*evidence_, place, sums_.own_color());
+  if (transparency_ && sums_.transparency() != 0.0)
+    film_.add(*transparency_, place, sums_.transparency());
+  if (transmittance_) film_.add(*transmittance_, place, sums_.transmittance());
 }
 
 } // namespace abbe

@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -78,9 +79,11 @@ private:
   const Plan& plan_;
   const World& world_;
   Film& film_;
+  std::optional<LayerId> transparency_, transmittance_;
   std::span<std::uint32_t> pixel_rays_;
   std::unique_ptr<CameraIntegrator> integrator_;
   RadianceSums sums_;
+  std::optional<LayerId> evidence_;
   std::vector<CameraSample> batch_;
   CameraStart start_;
   std::vector<Hit> hits_; ///< of the batch's rays

@@ -117,6 +117,17 @@ void add_outputs(CLI::App& app, Options& options) {
       "Bits per TIFF channel; 32 is linear floating point");
   add_choice<int>(app, "--png-depth", output.png_bits, {{"8", 8}, {"16", 16}},
                   "Bits per PNG channel");
+  app.add_option_function<std::string>(
+         "--limit-memory",
+         [&options](const std::string& text) {
+           const auto gib = parse_finite(text);
+           if (!gib || !(*gib > 0.0) || *gib > 1e6)
+             throw CLI::ValidationError("--limit-memory",
+                                        "\"" + text + "\" is not a size in GiB above 0");
+           options.memory_limit_gib = gib;
+         },
+         "Do not begin a picture that needs more memory (default: what the machine has left)")
+      ->type_name("GIB");
   app.add_flag("-q,--quiet", options.quiet, "Print warnings and errors only");
 }
 

@@ -47,11 +47,11 @@ TEST_CASE("lossless glass solids are invisible in a white furnace, band by band"
   }
 }
 
-// Light can stay for thousands of reflections between a ball and a cube inside it; what the cut-off
-// of 1e-9 per branch takes from a pixel adds up to a few 1e-4.
+// Light can stay for thousands of reflections between a ball and a cube inside it. Branches that
+// carry less than 1e-9 go on at random, so that nothing is missing in the end.
 TEST_CASE("solids within solids are invisible too") {
   CHECK(furnace_error("glass SF11 sphere priority 1 glass N-BK7 push scale 0.5 0.5 0.5 cube pop",
-                      "bands 3 exact on") < 5e-4);
+                      "bands 3 exact on") < 5e-5);
 }
 
 // The sum of the parts is 1 at every wavelength, though shapes begin with a diffuse part of 0.8. A
