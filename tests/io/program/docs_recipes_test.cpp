@@ -141,7 +141,7 @@ TEST_CASE("every lens in the documents takes a picture") {
     INFO(lens.where);
     std::ofstream(desk.path / "recipe.lens") << lens.text;
     std::ofstream(desk.path / "recipe.sdl")
-        << "eye 0 0 900 background E 1 lensFile recipe.lens filmHeight 4";
+        << "eye 0 0 900 background E 0.5 lensFile recipe.lens filmHeight 4";
     CHECK(desk.complaint("render recipe.sdl --spp 1 --size 16x16 --quiet") == "");
   }
 }
