@@ -1,5 +1,7 @@
 #include "io/building/setting_effects.h"
 
+#include "core/lights/light_kinds.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,6 +37,8 @@ bool follows_light(const Rest& rest) {
 bool shares_rays(const Rest& rest) {
   return !rest.settings.exact;
 }
+/// Stands in the list of keywords for a light; no keyword has spaces.
+constexpr std::string_view kEndlessLight = "light without falloff";
 constexpr std::string_view kNoLightPaths =
     "light paths are followed by the integrator path only, and unless caustics is off";
 constexpr std::string_view kExact = "with exact, no two bands share a ray";
@@ -67,6 +71,21 @@ void note_given(GivenKeywords& given, std::string_view keyword, const SourcePosi
     given.push_back({keyword, where});
   else
     known->where = where;
+}
+
+void note_light(GivenKeywords& given, const Light& light, const SourcePosition& where) {
+  if (!endless_flux(light)) return;
+  if (std::ranges::find(given, kEndlessLight, &GivenKeyword::keyword) != given.end()) return;
+  given.push_back({kEndlessLight, where});
+}
+
+void check_caustics(const GivenKeywords& given, const RenderSettings& settings) {
+  if (settings.integrator != Integrator::path || settings.caustics != Caustics::on) return;
+  const auto light = std::ranges::find(given, kEndlessLight, &GivenKeyword::keyword);
+  if (light == given.end()) return;
+  throw ReadError(light->where, "this light has no flux that could be followed for caustics",
+                  "it does not fall off with distance, and caustics is on",
+                  "Give it falloff square, or leave caustics on out");
 }
 
 void warn_of_settings(const Scene& scene, const GivenKeywords& given,

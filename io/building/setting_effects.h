@@ -19,6 +19,12 @@ using GivenKeywords = std::vector<GivenKeyword>;
 /// Notes a keyword if its effect hangs on the rest of the scene or its settings.
 void note_given(GivenKeywords& given, std::string_view keyword, const SourcePosition& where);
 
+/// Notes the first light for which light paths cannot be followed, which `caustics on` refuses.
+void note_light(GivenKeywords& given, const Light& light, const SourcePosition& where);
+
+/// Throws ReadError at the noted light where `caustics on` asks for its light paths.
+void check_caustics(const GivenKeywords& given, const RenderSettings& settings);
+
 /// Warns of keywords and options of the command line that have no effect: lightPaths with the
 /// integrator whitted, focusDistance with a pinhole. A keyword of the scene is not blamed for what
 /// an option has changed.

@@ -105,6 +105,7 @@ int render_command(const Options& options) {
   InputFiles inputs;
   GivenKeywords given;
   const Scene scene = read_scene_file(options.scene_path, print_warning, &inputs, &given);
+  check_caustics(given, overridden(scene.settings, options.settings));
   warn_of_settings(scene, given, options.settings, print_warning);
   const Outputs all_outputs = outputs_of(options, scene);
   check_outputs(all_outputs, inputs);
@@ -151,6 +152,7 @@ int render_command(const Options& options) {
 int plan_command(const Options& options) {
   GivenKeywords given;
   const Scene scene = read_scene_file(options.scene_path, print_warning, nullptr, &given);
+  check_caustics(given, overridden(scene.settings, options.settings));
   warn_of_settings(scene, given, options.settings, print_warning);
   print_plan(make_plan(scene, overridden(scene.settings, options.settings)));
   return 0;

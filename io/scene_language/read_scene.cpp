@@ -131,7 +131,7 @@ Scene read_scene_text(std::string_view text, const std::filesystem::path& file, 
   check_pushes(state);
   if (state.camera_at) check_view(*state.camera_at, state.scene.camera);
   finish_camera_lens(state);
-  state.builder.keywords().warn_of_rest(state.warn);
+  state.builder.warn_of_the_whole(state.warn);
   if (state.crop_at) check_crop(*state.crop_at, state.scene.settings);
   if (given) *given = std::move(state.given);
   if (files) {

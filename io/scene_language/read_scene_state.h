@@ -84,7 +84,7 @@ struct SceneState {
 
   Transform transform;
   std::vector<PushedTransform> pushed;
-  CurrentMaterial material;
+  CurrentMaterial material = default_material();
   int priority = 0;
   CurrentLight light;
   BooleanScope* boolean = nullptr; ///< the innermost one that is open

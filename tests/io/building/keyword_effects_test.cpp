@@ -10,11 +10,12 @@ using namespace abbe;
 
 namespace {
 
-/// The warnings of a scene called s.sdl without libraries.
+/// The warnings of keywords without effect, of a scene called s.sdl without libraries.
 std::vector<std::string> warnings_of(const std::string& text) {
   std::vector<std::string> warnings;
   (void)read_scene_text(text, "no_such_folder/s.sdl", [&](const std::string& message) {
-    warnings.push_back(message.substr(std::string("no_such_folder/").size()));
+    if (message.find("has no effect") != std::string::npos)
+      warnings.push_back(message.substr(std::string("no_such_folder/").size()));
   });
   return warnings;
 }

@@ -66,6 +66,25 @@ TEST_CASE("options of the command line are asked too, and a scene is not blamed 
   CHECK(warnings_of("exact on", option("--fan", "2")).size() == 1);
 }
 
+TEST_CASE("caustics of a light without flux are refused at the light") {
+  GivenKeywords given;
+  const Scene scene = read_scene_text(
+      "integrator path caustics on light E 0 0 1 0\nlight 0 5 5 1 1 1 light 1 5 5 1 1 1", "s.sdl",
+      {}, nullptr, &given);
+  CHECK_THROWS_WITH(
+      check_caustics(given, scene.settings),
+      "s.sdl:2:1: this light has no flux that could be followed for caustics (it does "
+      "not fall off with distance, and caustics is on). Give it falloff square, or "
+      "leave caustics on out");
+  CHECK_NOTHROW(check_caustics(given, overridden(scene.settings, option("--caustics", "off"))));
+  CHECK_NOTHROW(
+      check_caustics(given, overridden(scene.settings, option("--integrator", "whitted"))));
+  given.clear();
+  const Scene square = read_scene_text(
+      "integrator path caustics on falloff square light 0 5 5 1 1 1", "s.sdl", {}, nullptr, &given);
+  CHECK_NOTHROW(check_caustics(given, square.settings));
+}
+
 TEST_CASE("no scene of the project has a keyword without effect") {
   int count = 0;
   for (const std::string folder : {"scenes", "bench/scenes"})
