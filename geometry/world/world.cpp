@@ -1,5 +1,6 @@
 #include "geometry/world/world.h"
 
+#include "geometry/rays/finite_ray.h"
 #include "geometry/world/shape_at_place.h"
 #include "geometry/world/world_callbacks.h"
 
@@ -85,10 +86,11 @@ void trace_packet(RTCScene scene, Query& query, std::size_t count) {
   alignas(64) std::array<int, Width> valid{};
   alignas(64) Packet packet;
   const float tfar = rounded_up(query.distance);
+  const Ray any;
   for (std::size_t i = 0; i < Width; ++i) {
-    const bool used = i < count;
+    const bool used = i < count && is_finite(query.states[i].ray);
     valid[i] = used ? -1 : 0;
-    set_ray(packet.ray, static_cast<unsigned>(i), query.states[used ? i : 0].ray,
+    set_ray(packet.ray, static_cast<unsigned>(i), used ? query.states[i].ray : any,
             query.farthest_coordinate, used ? tfar : kNowhere);
     packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
@@ -97,6 +99,7 @@ void trace_packet(RTCScene scene, Query& query, std::size_t count) {
 }
 
 void trace_single(RTCScene scene, Query& query) {
+  if (!is_finite(query.states[0].ray)) return;
   RTCRayHit ray;
   set_ray(ray.ray, query.states[0].ray, query.farthest_coordinate, rounded_up(query.distance));
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -268,6 +271,7 @@ void World::find_closest(std::span<const RayState> states, std::span<Hit> hits,
 }
 
 bool World::occluded(const RayState& state, double distance) const {
+  if (!is_finite(state.ray)) return true;
   Query query = impl_->query_for(&state, nullptr, distance);
   // Outside all glass the first glass along the ray shows for certain. Inside, boundaries between
   // equal media may come first.

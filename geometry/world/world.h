@@ -17,7 +17,8 @@ enum class Tracing : std::uint8_t { single, packets };
 
 /// The shapes of a scene in Embree's hierarchies. Embree, in single precision, only proposes
 /// candidates; every crossing is found and compared in double, so the answer depends neither on
-/// the order of traversal nor on the width of packets.
+/// the order of traversal nor on the width of packets. Rays that are not finite are not handed on:
+/// they meet nothing, and no light comes along them.
 class World {
 public:
   /// `farthest_coordinate` is the largest magnitude of a coordinate from which rays start outside

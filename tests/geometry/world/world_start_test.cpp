@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 using namespace abbe;
@@ -171,4 +172,26 @@ TEST_CASE("shapes beside each other stand alone, those in each other or on a pla
   CHECK_FALSE(world.may_be_hidden({0}));
   CHECK(world.may_be_hidden({3}));
   CHECK_FALSE(world.may_be_hidden({4}));
+}
+
+TEST_CASE("rays that are not finite meet nothing, and do not disturb those beside them") {
+  const World world({{Sphere{}, Transform(), MaterialId{0}, {}, 0}}, 10.0);
+  std::vector<RayState> rays(16);
+  const double bad[] = {kInfinity, -kInfinity, std::nan("")};
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    rays[i].ray = {{0.01 * static_cast<double>(i), 0.0, 5.0}, {0.0, 0.0, -1.0}};
+    if (i % 2 == 1) continue;
+    dvec3& part = i % 4 == 0 ? rays[i].ray.origin : rays[i].ray.direction;
+    part[static_cast<int>(i % 3)] = bad[i % 5 % 3];
+  }
+  for (const std::size_t count : {1, 3, 7, 16}) {
+    std::vector<Hit> hits(count);
+    world.find_closest(std::span(rays).first(count), hits, Tracing::packets);
+    for (std::size_t i = 0; i < count; ++i) {
+      CHECK(hits[i].met() == (i % 2 == 1));
+      CHECK(world.closest(rays[i]).has_value() == (i % 2 == 1));
+      CHECK(world.occluded(rays[i], 9.0));
+      CHECK(world.occluded(rays[i], 2.0) == (i % 2 == 0));
+    }
+  }
 }
