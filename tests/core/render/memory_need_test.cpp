@@ -25,8 +25,9 @@ TEST_CASE("memory is what the film's layers and the largest picture of them take
   constexpr double film = 3 * 8 + 2 * 4, picture = 6 * 4;
   CHECK(per_pixel(sky) == film + picture);
   CHECK(per_pixel("samples 1") == film + picture + 8); // alpha
-  // Adaptive sampling: as many sums again and two counts, rays and shares.
-  CHECK(per_pixel("background E 1 samples 16") == film + picture + 3 * 8 + 8 + 24);
+  // Adaptive sampling: as many sums again and two counts; rays, shares and numbers; what finds the
+  // shares after the first round.
+  CHECK(per_pixel("background E 1 samples 16") == film + picture + 3 * 8 + 8 + 12 + 32);
   CHECK(per_pixel(sky + "bands 27 ", BandPlace{}) == film + picture + 27 * 8);
   // In a file, as far as it is kept in memory: 27 * 8 * 2^18 bytes are less than 256 MiB.
   CHECK(per_pixel(sky + "bands 27 ", BandPlace{"/tmp", 1}) == film + picture + 27 * 8);
