@@ -150,7 +150,7 @@ double largest(const Curve& colour) {
 
 /// The same for a part that gives back light, which counts as 1 where it is more.
 Curve limited_part(const LibraryMaterial& entry, double amount) {
-  const Curve whole = part(entry, amount);
+  Curve whole = part(entry, amount);
   if (!(largest(whole) > 1.0)) return whole;
   if (whole.constant_value()) return Curve::constant(1.0);
   std::vector<double> values;
