@@ -1,19 +1,13 @@
 #include "bench/measurements/image_error.h"
 
 #include "spectral/color_difference.h"
+#include "spectral/square.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
 namespace abbe::bench {
-namespace {
-
-double square(double v) {
-  return v * v;
-}
-
-} // namespace
 
 double relative_mse(const std::vector<LinearRgb>& image, const std::vector<LinearRgb>& reference) {
   assert(image.size() == reference.size() && !reference.empty());
