@@ -1,9 +1,9 @@
 #include "io/program/list.h"
 
 #include "core/optics/conductor_reflectance.h"
-#include "io/libraries/read_lamp.h"
 #include "io/libraries/read_lights.h"
 #include "io/libraries/read_materials.h"
+#include "io/libraries/standard_lights.h"
 #include "io/program/list_plot.h"
 #include "io/program/terminal.h"
 #include "spectral/glass.h"
@@ -45,8 +45,8 @@ void list_lights(const Options& options) {
   if (const auto path = listed_library(options, "lights.filter"))
     for (const LightSpectrum& light : read_lights(*path, print_warning))
       print_light(light.name, spectrum(light), path->string());
-  for (const std::string& name : lamp_names())
-    print_light(name, *read_lamp({TokenKind::word, name, {}}), "built in");
+  for (const std::string& name : standard_light_names())
+    print_light(name, *standard_light({TokenKind::word, name, {}}), "built in");
 }
 
 void list_materials(const Options& options) {

@@ -3,10 +3,10 @@
 #include "core/optics/conductor_reflectance.h"
 #include "core/scene/user_error.h"
 #include "io/images/write_png.h"
-#include "io/libraries/read_lamp.h"
 #include "io/libraries/read_library.h"
 #include "io/libraries/read_lights.h"
 #include "io/libraries/read_materials.h"
+#include "io/libraries/standard_lights.h"
 #include "io/program/terminal.h"
 #include "io/text/similar_names.h"
 #include "spectral/band_grid.h"
@@ -32,15 +32,15 @@ public:
       for (const LightSpectrum& entry : read_lights(*file, {})) {
         known_.push_back(entry.name);
         if (!same_name(entry.name, name_)) continue;
-        if (is_lamp_name(name_))
+        if (is_standard_light(name_))
           say_error(fmt::format("warning: {} is the light of {}, which hides the built-in light of "
                                 "this name",
                                 name_, file->string()));
         return curve(entry.name + ": light per nm, 1 = equal energy", spectrum(entry));
       }
-    for (std::string& name : lamp_names())
+    for (std::string& name : standard_light_names())
       known_.push_back(std::move(name));
-    if (const auto lamp = read_lamp({TokenKind::word, name_, {"--plot", 1, 1}}))
+    if (const auto lamp = standard_light({TokenKind::word, name_, {"--plot", 1, 1}}))
       return curve(name_ + ": light per nm, 1 = equal energy", *lamp);
     return std::nullopt;
   }
