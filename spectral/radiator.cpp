@@ -33,14 +33,14 @@ Curve blackbody(double kelvin) {
   if (!(kelvin > 0.0) || !std::isfinite(kelvin))
     throw std::invalid_argument("a blackbody needs a temperature above 0 K");
   // Second radiation constant h c / k, in nm K [CODATA18].
-  constexpr double kC2_nm_k = 6.62607015e-34 * 299792458.0 / 1.380649e-23 * 1e9;
+  constexpr double c2_nm_k = 6.62607015e-34 * 299792458.0 / 1.380649e-23 * 1e9;
   // Planck's law relative to its value at 780 nm, written so that no exponential overflows:
   // (l0/l)^5 (e^x0 - 1)/(e^x - 1) with x = c2/(l T).
   const double reference_nm = sample_nm(kSampleCount - 1);
-  const double x0 = kC2_nm_k / (reference_nm * kelvin);
+  const double x0 = c2_nm_k / (reference_nm * kelvin);
   std::vector<double> values(kSampleCount);
   for (int k = 0; k < kSampleCount; ++k) {
-    const double x = kC2_nm_k / (sample_nm(k) * kelvin);
+    const double x = c2_nm_k / (sample_nm(k) * kelvin);
     values[k] = std::pow(reference_nm / sample_nm(k), 5.0) * std::exp(x0 - x) * std::expm1(-x0) /
                 std::expm1(-x);
   }

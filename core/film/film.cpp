@@ -13,6 +13,7 @@ namespace abbe {
 namespace {
 
 constexpr double kLightPassParts = 0x1p32;
+constexpr double kShareQuantum = 0x1p-32;
 
 std::vector<Layer> make_layers(std::vector<LayerForm> forms, std::size_t pixels,
                                const BandPlace& place) {
@@ -50,11 +51,20 @@ std::vector<LayerForm> beauty_layers(const BeautyForm& form) {
   return layers;
 }
 
+LayerForm transparency_layer() {
+  return {kTransparency, LayerKind::value, kShareQuantum, 0};
+}
+
+LayerForm transmittance_layer() {
+  return {kTransmittance, LayerKind::xyz, kShareQuantum, 0};
+}
+
 Film::Film(PixelWindow window, std::vector<LayerForm> layers, const BandPlace& place)
     : window_(window), layers_(make_layers(std::move(layers), window.pixel_count(), place)),
       beauty_(find(kBeauty)), bands_(find(kBands)), splats_(find(kSplats)),
-      band_splats_(find(kBandSplats)), counts_(window.pixel_count()),
-      covered_(window.pixel_count()), strata_(has_strata(layers_) ? window.pixel_count() : 0) {
+      band_splats_(find(kBandSplats)), transparency_(find(kTransparency)),
+      counts_(window.pixel_count()), covered_(window.pixel_count()),
+      strata_(has_strata(layers_) ? window.pixel_count() : 0) {
   assert(layers_.size() <= std::numeric_limits<std::uint8_t>::max());
 }
 
@@ -163,8 +173,8 @@ double Film::radiance(int x, int y, int band) const {
 }
 
 double Film::alpha(int x, int y) const {
-  const std::uint32_t n = samples(x, y);
-  return n > 0 ? static_cast<double>(covered_samples(x, y)) / n : 0.0;
+  if (samples(x, y) == 0) return 0.0;
+  return transparency_ ? 1.0 - mean(*transparency_, x, y) : 1.0;
 }
 
 Xyz Film::error(int x, int y) const {

@@ -41,6 +41,14 @@ inline constexpr const char* kBands = "bands";
 inline constexpr const char* kSplats = "beauty.splats";
 inline constexpr const char* kBandSplats = "bands.splats";
 
+/// The share of the light behind the scene that shows in the picture, in luminance, and as a
+/// colour: that of D65 of Y = 1 when it has passed through the scene.
+inline constexpr const char* kTransparency = "transparency";
+inline constexpr const char* kTransmittance = "transmittance";
+/// A layer of one of these names. Sums have room for 2^31 samples on which nothing is lost.
+[[nodiscard]] LayerForm transparency_layer();
+[[nodiscard]] LayerForm transmittance_layer();
+
 /// Named sums of what the samples of each pixel bring. All sums and counts are integers, and where
 /// a sample belongs follows from its index, so a film does not depend on the order in which samples
 /// come, nor on the films over which they were spread before these were merged.
@@ -58,6 +66,7 @@ public:
     std::size_t pixel;
     Stratum stratum;
   };
+
   /// Adds a sample's beauty. `radiance` holds one value per band when the film keeps bands.
   /// What a layer refuses adds nothing, though the sample counts; bands come with their colour or
   /// not at all. Two threads must not add to one pixel at once. The place is where the sample's
@@ -112,6 +121,9 @@ public:
   // The beauty: means over the samples of a pixel, and splats over the light passes.
   [[nodiscard]] int bands() const;
   [[nodiscard]] Xyz color(int x, int y) const;
+  /// 1 less the mean of `kTransparency`; 1 where the film has no such layer, and 0 of a pixel that
+  /// has no sample. It is not clamped: below 0 it tells that single samples stood for more than
+  /// one.
   [[nodiscard]] double alpha(int x, int y) const;
   [[nodiscard]] double radiance(int x, int y, int band) const;
   [[nodiscard]] bool keeps_errors() const { return !strata_.empty(); }
@@ -140,7 +152,7 @@ private:
 
   PixelWindow window_;
   std::vector<Layer> layers_;
-  std::optional<LayerId> beauty_, bands_, splats_, band_splats_;
+  std::optional<LayerId> beauty_, bands_, splats_, band_splats_, transparency_;
   std::vector<std::uint32_t> counts_;  ///< samples per pixel
   std::vector<std::uint32_t> covered_; ///< of these, those that met a surface
   std::vector<PixelStrata> strata_;    ///< per pixel; empty where no layer has strata

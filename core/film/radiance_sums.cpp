@@ -1,5 +1,7 @@
 #include "core/film/radiance_sums.h"
 
+#include "core/bands/band_math.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -35,6 +37,8 @@ void RadianceSums::clear() {
   for (std::size_t i = 0; i < count; ++i)
     std::fill(sums(i) + used_.first, sums(i) + used_.last, 0.0);
   used_ = {};
+  transparency_ = 0.0;
+  transmittance_ = {0.0, 0.0, 0.0};
 }
 
 void RadianceSums::add(int source, BandSpan<const float> throughput, const BandTable& reflectance,
@@ -65,6 +69,23 @@ void RadianceSums::add_to(double* sum, const BandTable& light, BandSpan<const fl
     for (int b = first; b < last; ++b)
       sum[b] += static_cast<double>(throughput[b] * (light[b] * reflectance[b] * factor));
   }
+}
+
+void RadianceSums::let_through(BandSpan<const float> throughput, bool alpha) {
+  const SkyPlan& sky = plan_.sky;
+  const auto sum = [&](const std::vector<float>& weights) {
+    return static_cast<double>(weighted_sum(throughput.data, weights.data(), throughput.bands.first,
+                                            throughput.bands.last));
+  };
+  const double y = sum(sky.y);
+  if (alpha && y != 0.0) transparency_ += y / sky.clear.y;
+  if (!sky.tints || y == 0.0) return;
+  static const Xyz white = to_xyz(kSrgbWhite, 1.0);
+  const auto part = [&](const std::vector<float>& weights, double clear) {
+    return clear > 0.0 ? sum(weights) / clear : y / sky.clear.y;
+  };
+  transmittance_ +=
+      {white.x * part(sky.x, sky.clear.x), y / sky.clear.y, white.z * part(sky.z, sky.clear.z)};
 }
 
 Xyz RadianceSums::color() const {

@@ -179,6 +179,7 @@ void LightPaths::keep(const Hit& hit) {
   photon.position = hit.point;
   photon.direction = bundle().state.ray.direction;
   photon.normal = hit.entering ? hit.normal : -hit.normal;
+  photon.shape = hit.shape;
   photon.source = source_;
   ++counts_->photons;
   photons_->add(photon, throughput(), flux_ * photon_share_);

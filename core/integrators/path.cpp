@@ -1,5 +1,7 @@
 #include "core/integrators/path.h"
 
+#include "core/integrators/tree_growth.h"
+
 #include <algorithm>
 
 namespace abbe {
@@ -16,7 +18,8 @@ Path::Path(const Plan& plan, const World& world, const Lights& lights,
       photons_(light_passes ? &light_passes->map() : nullptr),
       emission_(light_passes ? &light_passes->emission() : nullptr),
       found_otherwise_(light_passes || plan.settings.shadows == ShadowRule::attenuated),
-      shadow_rays_(plan, world), single_scatter_(lights, plan, world), light_(plan.stride) {}
+      shadow_rays_(plan, world), single_scatter_(lights, plan, world), sky_(plan, lights),
+      light_(plan.stride) {}
 
 void Path::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
                  RayCounts& counts) {
@@ -25,6 +28,7 @@ void Path::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums&
   sums_ = &sums;
   for (std::size_t i = 0; i < start.count; ++i) {
     start.begin(i, bundle());
+    sky_.begin_path(bundle().state.ray.direction);
     const BandSpan<float> row = throughput();
     for (int b = row.bands.first; b < row.bands.last; ++b)
       row[b] = plan_.live[static_cast<std::size_t>(b)] * start.bundles[i].weight;
@@ -56,7 +60,7 @@ void Path::look_through() {
 void Path::gather() {
   if (!bundle().hit.met()) {
     const bool suns = !comes_by_mirrors_and_glass() || !found_otherwise_;
-    lights_.add_sky(bundle().state.ray.direction, bundle().pdf, suns, throughput(), *sums_);
+    sky_.add(bundle(), suns, throughput(), *sums_);
     return;
   }
   const Hit& hit = bundle().hit;
@@ -117,18 +121,19 @@ void Path::go_on() {
 }
 
 /// How the path goes on. Where the camera sees a surface itself, or by way of mirrors and glass,
-/// what is reflected may branch off: one of the parts at random would leave grain.
+/// what is reflected may branch off: one of the parts at random would leave grain. Behind many
+/// surfaces all branches together would: their number would vary ever more.
 Scattering::Choice Path::branch() {
   if (scattering_.certain()) return scattering_.choose(0.0);
   const double u = numbers(kScatter).x;
   const double eagerness =
-      bundle().has_pixel_footprint
+      bundle().has_pixel_footprint && bundle().surfaces() < kSurfacesOfTree
           ? share(importance(bundle().hit.medium_before), bundle().bands) / kBranchShare
           : 0.0;
   const auto [reflect_chance, on] = scattering_.branch(u, eagerness);
   if (reflect_chance == 0.0) return on;
   if (on.kind == ScatterKind::none) return {ScatterKind::reflect, reflect_chance};
-  branch_off_reflection(scattering_.reflected(), 1.0 / reflect_chance);
+  branch_off_reflection(scattering_.reflected(), 1.0 / reflect_chance).route = route_on(false);
   return on;
 }
 
@@ -141,11 +146,12 @@ void Path::sample_light(const Hit& hit) {
   if (!(pdf > 0.0)) return;
   const bool outwards = glm::dot(sample->direction, hit.normal) > 0.0;
   const bool through = outwards != hit.entering;
+  if (sky_.leaves_out(route_on(through), *sample)) return;
   const RayState towards_light{{hit.point, sample->direction},
                                through ? hit.other_side : hit.same_side,
                                through ? hit.nesting_after : hit.nesting_before};
-  const float* arriving = shadow_rays_.transmittance(towards_light, sample->distance, light.bands,
-                                                     wavelengths_, *counts_);
+  const float* arriving =
+      shadow_rays_.transmittance(towards_light, *sample, light.bands, wavelengths_, *counts_);
   if (!arriving) return;
   double weight = sample->weight;
   if (shadow_rays_.through_glass()) {

@@ -2,6 +2,7 @@
 
 #include "core/bands/passing_runs.h"
 #include "core/integrators/straight_on.h"
+#include "core/integrators/tree_growth.h"
 #include "core/scattering/hit_material.h"
 
 namespace abbe {
@@ -25,7 +26,7 @@ void RandomWalk::begin(const Sampler& sampler, RayCounts& counts) {
 
 dvec2 RandomWalk::numbers(SamplePurpose purpose) const {
   // At a pane too something is chosen, and the next surface must not choose by the same numbers.
-  const auto surfaces = static_cast<std::uint32_t>(bundle().depth + bundle().panes);
+  const auto surfaces = static_cast<std::uint32_t>(bundle().surfaces());
   return sampler_->pair(purpose + kPerSurface * surfaces);
 }
 
@@ -44,7 +45,7 @@ void RandomWalk::prepare_scattering() {
 /// Russian roulette on what the bundle would bring from a medium.
 bool RandomWalk::survives(MediumId medium) {
   if (bundle().depth < kSureSurfaces) return true;
-  const double chance = importance(medium);
+  const double chance = importance(medium) / path_growth(bundle().surfaces());
   if (chance >= 1.0) return true;
   if (!(numbers(kScatter).y < chance)) return false;
   scale(ones_.data(), 1.0 / chance);
@@ -53,7 +54,9 @@ bool RandomWalk::survives(MediumId medium) {
 
 void RandomWalk::go_on(const dvec3& direction, bool through, RayKind kind, double pdf) {
   if (!survives(through ? bundle().hit.medium_after : bundle().hit.medium_before)) return;
+  const Route route = route_on(through);
   set_off(bundle(), direction, through, kind, bundle());
+  bundle().route = route;
   bundle().pdf = pdf;
   wait();
 }

@@ -3,6 +3,7 @@
 #include "core/bands/band_math.h"
 #include "core/bands/passing_runs.h"
 #include "core/integrators/straight_on.h"
+#include "core/integrators/tree_growth.h"
 #include "core/lights/light_kinds.h"
 #include "core/scattering/hit_material.h"
 #include "core/scattering/surface_incidence.h"
@@ -19,24 +20,26 @@ namespace {
 /// docs/decisions/bundles.md.
 constexpr double kSurePart = 1.0 / 16.0;
 
+/// Where all bands are followed and the scene's threshold is 0, this importance is the first
+/// threshold of large trees.
+constexpr double kFaint = 1e-3;
+
 } // namespace
 
 Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, const Lights& lights,
                  double pixel_angle)
-    : BundleWalk(plan, world, pixel_angle, Transport::radiance), scene_(scene), lights_(lights),
-      shadow_rays_(plan, world), single_scatter_(scene, plan, world), reflected_(plan.stride),
-      transmitted_(plan.stride), textured_(0.0f, plan.grid.count()), lit_(plan.stride),
-      coated_(plan.stride) {}
+    : BundleWalk(plan, world, pixel_angle, Transport::radiance), scene_(scene),
+      shadow_rays_(plan, world), single_scatter_(scene, plan, world), sky_(plan, lights),
+      reflected_(plan.stride), transmitted_(plan.stride), textured_(0.0f, plan.grid.count()),
+      lit_(plan.stride), coated_(plan.stride) {}
 
-/// All bundles of a camera sample wait at once.
-void Whitted::start(const CameraPaths& paths) {
-  for (std::size_t i = 0; i < paths.count; ++i) {
-    paths.begin(i, bundle());
-    const BandSpan<float> row = throughput();
-    for (int b = row.bands.first; b < row.bands.last; ++b)
-      row[b] = plan_.live[static_cast<std::size_t>(b)] * paths.bundles[i].weight;
-    wait();
-  }
+void Whitted::start(const CameraPaths& paths, std::size_t i) {
+  paths.begin(i, bundle());
+  sky_.begin_path(bundle().state.ray.direction);
+  const BandSpan<float> row = throughput();
+  for (int b = row.bands.first; b < row.bands.last; ++b)
+    row[b] = plan_.live[static_cast<std::size_t>(b)] * paths.bundles[i].weight;
+  wait();
 }
 
 void Whitted::trace(const CameraPaths& paths, const Sampler& sampler, RadianceSums& sums,
@@ -44,24 +47,22 @@ void Whitted::trace(const CameraPaths& paths, const Sampler& sampler, RadianceSu
   decisions_ = sampler.decisions();
   begin_path(sampler.pair(kWavelength), counts);
   single_scatter_.begin_path(sampler, wavelengths_, sums, counts);
-  start(paths);
-  while (take()) {
-    extend();
-    shade_ray(sums, counts);
+  for (std::size_t i = paths.count; i-- > 0;) {
+    start(paths, i);
+    while (take()) {
+      extend();
+      shade_ray(sums, counts);
+    }
   }
 }
 
 void Whitted::shade_ray(RadianceSums& sums, RayCounts& counts) {
   if (!single_scatter_.arrive(bundle(), throughput())) return wait();
-  if (!bundle().hit.met()) return add_background(bundle(), sums);
+  if (!bundle().hit.met()) return sky_.add(bundle(), true, throughput(), sums);
   const MaterialPlan* material = &plan_.materials[bundle().hit.material.index()];
   if (material->mixture) material = &part_of(plan_, *material, decisions_.next());
   shade(bundle(), *material, sums, counts);
   scatter(bundle(), *material);
-}
-
-void Whitted::add_background(const Bundle& bundle, RadianceSums& sums) {
-  lights_.add_sky(bundle.state.ray.direction, 0.0, true, throughput(), sums);
 }
 
 void Whitted::shade(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
@@ -127,57 +128,115 @@ void Whitted::add_lights(const Bundle& bundle, const MaterialPlan& material, Rad
   }
 }
 
-/// The chance that a branch is followed: narrow and faint ones would cost as much as they add
-/// little. A branch matters in proportion to its importance and to its share of the bands.
+/// What a part of the light would bring from the medium in which it goes on.
+double Whitted::brought(const float* factors, MediumId medium) {
+  return importance(largest_product(throughput(), factors), bundle().bands.first, medium);
+}
+
+/// The chance with which all of a tree's branches are followed: faint ones at random.
+double Whitted::faint_chance(double importance) const {
+  if (!(importance > 0.0)) return 0.0;
+  const double least = plan_.settings.min_throughput;
+  return importance < least ? importance / least : 1.0;
+}
+
+/// The chance that a branch is followed: narrow ones too would cost as much as they add little. A
+/// branch matters in proportion to its importance and to its share of the bands.
 double Whitted::chance(double importance) const {
-  if (plan_.follows_all()) return 1.0;
+  const double faint = faint_chance(importance);
+  if (plan_.follows_all()) return faint;
   const double sub_bundles = share(importance, bundle().bands) * plan_.settings.max_fan;
-  return std::min(1.0, sub_bundles / kSurePart);
+  return std::min(faint, sub_bundles / kSurePart);
+}
+
+/// The chance of a branch behind many surfaces.
+double Whitted::deep_chance(double importance) const {
+  const int surfaces = bundle().surfaces();
+  const double least = plan_.settings.min_throughput;
+  const double matters = plan_.follows_all() ? importance : share(importance, bundle().bands);
+  const double first =
+      plan_.follows_all() ? (least > 0.0 ? least : kFaint) : kSurePart / plan_.settings.max_fan;
+  return std::min(1.0, matters / grown_threshold(std::max(first, least), surfaces));
 }
 
 void Whitted::scatter(const Bundle& bundle, const MaterialPlan& material) {
-  const BsdfFacts facts = facts_of(material.bsdf);
-  const bool last = bundle.depth >= plan_.settings.max_depth;
-  if (!facts.goes_on() || (last && !facts.passes)) return;
+  BsdfFacts facts = facts_of(material.bsdf);
+  lets_light_through_ = facts.transmits || facts.passes;
+  if (bundle.depth >= plan_.settings.max_depth) facts.reflects = facts.transmits = false;
+  if (!facts.reflects && !facts.transmits && !facts.passes) return;
   const Hit& hit = bundle.hit;
   Incidence in = surface_incidence(material.bsdf, hit, bundle.bands, wavelengths_);
   in.wo = {0.0, 0.0, std::abs(glm::dot(hit.normal, bundle.state.ray.direction))};
   specular_factors(material.bsdf, in, {reflected_.data(), transmitted_.data()});
-  if (facts.reflects && !last) reflect(reflected_.data());
-  if (facts.transmits) refract(transmitted_.data());
-  if (facts.passes) pass(transmitted_.data());
+  if (bundle.surfaces() >= kSurfacesOfTree) return choose_branches(facts);
+  if (facts.reflects) reflect();
+  if (facts.transmits) refract();
+  if (facts.passes) pass();
 }
 
-void Whitted::reflect(const float* factors) {
-  const double brought = importance(largest_product(throughput(), factors), bundle().bands.first,
-                                    bundle().hit.medium_before);
-  if (!(brought > plan_.settings.min_throughput)) return;
-  const double survives = chance(brought);
-  if (survives < 1.0 && decisions_.next() >= survives) return;
-  branch_off_reflection(factors, 1.0 / survives);
+void Whitted::reflect() {
+  const double survives = chance(brought(reflected_.data(), bundle().hit.medium_before));
+  if (!(survives > 0.0) || (survives < 1.0 && decisions_.next() >= survives)) return;
+  send_back(1.0 / survives);
+}
+
+void Whitted::send_back(double weight) {
+  Bundle& next = branch_off_reflection(reflected_.data(), weight);
+  if (!lets_light_through_) next.route = Route::opaque;
 }
 
 /// Straight on through a pane. Where the bundle has met as many surfaces as it may, this is still
 /// done: a pane is not counted.
-void Whitted::pass(const float* factors) {
-  scale(factors, 1.0);
-  const BandSpan<const float> passing = throughput();
-  const double brought =
-      importance(largest_of(passing), passing.bands.first, bundle().hit.medium_after);
-  if (!(brought > plan_.settings.min_throughput)) return;
-  go_straight_on(bundle());
+void Whitted::pass() {
+  const double survives = faint_chance(brought(transmitted_.data(), bundle().hit.medium_after));
+  if (!(survives > 0.0) || (survives < 1.0 && decisions_.next() >= survives)) return;
+  go_straight_on(1.0 / survives);
+}
+
+/// The last step of a bundle: its throughput becomes what passes.
+void Whitted::go_straight_on(double weight) {
+  scale(transmitted_.data(), weight);
+  ++bundle().panes;
+  abbe::go_straight_on(bundle());
   wait();
 }
 
 /// The last step of a bundle: its throughput becomes what passes.
-void Whitted::refract(const float* factors) {
-  scale(factors, 1.0);
-  const BandSpan<const float> passing = throughput();
+void Whitted::refract() {
+  scale(transmitted_.data(), 1.0);
+  const BandSpan<float> passing = throughput();
   for (const BandRange run : PassingRuns(passing)) {
     const double brought =
         importance(largest_of(passing.of(run)), run.first, bundle().hit.medium_after);
-    if (brought > plan_.settings.min_throughput) branch_off_refraction(run, brought);
+    const double survives = faint_chance(brought);
+    if (survives < 1.0) {
+      if (decisions_.next() >= survives) continue;
+      const auto weight = static_cast<float>(1.0 / survives);
+      for (int b = run.first; b < run.last; ++b)
+        passing[b] *= weight;
+    }
+    branch_off_refraction(run, brought / survives);
   }
+}
+
+/// Behind many surfaces one number decides on both parts, so that one of them goes on wherever
+/// their chances allow it: what goes on matters about as much as what came.
+void Whitted::choose_branches(const BsdfFacts& facts) {
+  const Hit& hit = bundle().hit;
+  const double transmitted = facts.transmits || facts.passes
+                                 ? deep_chance(brought(transmitted_.data(), hit.medium_after))
+                                 : 0.0;
+  const double reflected =
+      facts.reflects ? deep_chance(brought(reflected_.data(), hit.medium_before)) : 0.0;
+  const double u = reflected < 1.0 || transmitted < 1.0 ? decisions_.next() : 0.5;
+  if (u < reflected) send_back(1.0 / reflected);
+  if (u < 1.0 - transmitted || !(transmitted > 0.0)) return;
+  if (facts.passes) return go_straight_on(1.0 / transmitted);
+  scale(transmitted_.data(), 1.0 / transmitted);
+  const BandSpan<const float> passing = throughput();
+  for (const BandRange run : PassingRuns(passing))
+    branch_off_refraction(run,
+                          importance(largest_of(passing.of(run)), run.first, hit.medium_after));
 }
 
 } // namespace abbe

@@ -23,13 +23,16 @@ std::unique_ptr<CameraIntegrator> make_integrator(const RenderContext& context) 
 RenderContext::RenderContext(const Scene& the_scene, const Plan& the_plan, const World& the_world)
     : scene(the_scene), plan(the_plan), world(the_world), camera(scene, plan.settings, world),
       lights(scene, plan), light_passes(scene, plan, world, camera.connects() ? &camera : nullptr) {
+  lights.place(world);
 }
 
 TileRenderer::TileRenderer(const RenderContext& context, Film& film,
                            std::span<std::uint32_t> pixel_rays)
-    : plan_(context.plan), world_(context.world), film_(film), pixel_rays_(pixel_rays),
-      integrator_(make_integrator(context)), sums_(plan_, film.find(kEvidence).has_value()),
-      evidence_(film.find(kEvidence)), start_(plan_, context.camera) {}
+    : plan_(context.plan), world_(context.world), film_(film),
+      transparency_(film.find(kTransparency)), transmittance_(film.find(kTransmittance)),
+      pixel_rays_(pixel_rays), integrator_(make_integrator(context)),
+      sums_(plan_, film.find(kEvidence).has_value()), evidence_(film.find(kEvidence)),
+      start_(plan_, context.camera) {}
 
 SampleRange PassSamples::of(const Film& film, int x, int y) const {
   if (allocation_.empty()) return all_;
@@ -94,6 +97,9 @@ void TileRenderer::trace_sample(const CameraSample& sample, const CameraPaths& s
       film_.add({sample.x, sample.y, sample.index, covered}, sums_.color(),
                 film_.bands() > 0 ? sums_.radiance() : std::span<const float>());
   if (evidence_) film_.add(*evidence_, place, sums_.own_color());
+  if (transparency_ && sums_.transparency() != 0.0)
+    film_.add(*transparency_, place, sums_.transparency());
+  if (transmittance_) film_.add(*transmittance_, place, sums_.transmittance());
 }
 
 } // namespace abbe

@@ -79,6 +79,7 @@ private:
   const Plan& plan_;
   const World& world_;
   Film& film_;
+  std::optional<LayerId> transparency_, transmittance_;
   std::span<std::uint32_t> pixel_rays_;
   std::unique_ptr<CameraIntegrator> integrator_;
   RadianceSums sums_;

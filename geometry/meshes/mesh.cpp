@@ -1,5 +1,7 @@
 #include "geometry/meshes/mesh.h"
 
+#include "geometry/meshes/edge_table.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -45,25 +47,6 @@ private:
   std::vector<dvec3>& vertices_;
   std::vector<std::int32_t> table_; ///< open addressing; a negative number is an empty place
 };
-
-/// True when each directed edge has its opposite, and none comes twice.
-bool edges_match(const std::vector<Triangle>& triangles) {
-  std::vector<std::uint64_t> edges; // both ends, the lower first, then the direction
-  edges.reserve(3 * triangles.size());
-  for (const Triangle& t : triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto from = static_cast<std::uint64_t>(t[i]);
-      const auto to = static_cast<std::uint64_t>(t[(i + 1) % 3]);
-      edges.push_back(std::min(from, to) << 33 | std::max(from, to) << 1 | (from < to ? 0u : 1u));
-    }
-  if (edges.size() % 2 != 0) return false;
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 0; i < edges.size(); i += 2) {
-    const bool pair = edges[i] % 2 == 0 && edges[i + 1] == edges[i] + 1;
-    if (!pair || (i > 0 && edges[i - 1] == edges[i + 1])) return false;
-  }
-  return true;
-}
 
 /// Numbers the vertices in the order in which the triangles name them; those that are not named
 /// are left out.
@@ -207,7 +190,7 @@ Mesh::Mesh(const std::vector<dvec3>& vertices, const std::vector<Triangle>& tria
   }
   if (data->triangles.empty()) throw std::invalid_argument("there is no triangle with an area");
   data->triangles.shrink_to_fit();
-  data->closed = edges_match(data->triangles);
+  data->closed = are_closed(data->vertices.size(), data->triangles);
   data->hierarchy = make_hierarchy(data->vertices, data->triangles);
   sort_vertices(data->vertices, data->triangles);
   for (const dvec3& p : data->vertices)

@@ -80,7 +80,8 @@ private:
 
 /// The cost of intersecting so many triangles.
 float cost(int count) {
-  return static_cast<float>((count + MeshLeaf::kMost - 1) / MeshLeaf::kMost);
+  const int leaves = (count + MeshLeaf::kMost - 1) / MeshLeaf::kMost;
+  return static_cast<float>(leaves);
 }
 
 struct Split {

@@ -2,6 +2,8 @@
 
 #include "geometry/rays/short_vector.h"
 
+#include <cmath>
+
 namespace abbe {
 
 bool is_solid(const Shape& shape) {
@@ -99,6 +101,15 @@ MeshAhead look_ahead(const Mesh& mesh, const LocalRay& ray, std::span<const std:
   return {found, missed};
 }
 
+/// True where a ray inside comes to a wall at which one body of the mesh ends and another begins:
+/// it leaves and enters at places that rounding cannot tell apart.
+bool meets_wall(const MeshAhead& ahead) {
+  const Root& exit = ahead.found.exit;
+  const Root& enter = ahead.found.enter;
+  if (ahead.missed || exit.t == kInfinity || enter.t == kInfinity) return false;
+  return std::abs(enter.t - exit.t) <= enter.t_error + exit.t_error;
+}
+
 } // namespace
 
 std::optional<ShapeCrossing> next_crossing(const Mesh& mesh, const LocalRay& ray,
@@ -107,7 +118,7 @@ std::optional<ShapeCrossing> next_crossing(const Mesh& mesh, const LocalRay& ray
   if (state.touching) touched.push_back(state.face.face);
   for (const TouchedFace& other : state.others)
     touched.push_back(other.face.face);
-  const std::span<const std::int32_t> touched_faces(touched.begin(), touched.size());
+  std::span<const std::int32_t> touched_faces(touched.begin(), touched.size());
   if (!mesh.is_closed()) {
     const MeshCrossings found = first_crossings(mesh, ray, touched_faces, MeshSearch::either);
     const Root& first = found.enter.t <= found.exit.t ? found.enter : found.exit;
@@ -127,6 +138,12 @@ std::optional<ShapeCrossing> next_crossing(const Mesh& mesh, const LocalRay& ray
         beside.origin[axis] += (corner >> axis & 1) != 0 ? rounding : -rounding;
       ahead = look_ahead(mesh, beside, touched_faces, state.inside);
     }
+  }
+  while (state.inside && meets_wall(ahead)) [[unlikely]] {
+    touched.push_back(ahead.found.exit.face.face);
+    touched.push_back(ahead.found.enter.face.face);
+    touched_faces = {touched.begin(), touched.size()};
+    ahead = look_ahead(mesh, ray, touched_faces, true);
   }
   if (ahead.missed && (state.touching || state.inside))
     return ShapeCrossing{0.0, 0.0, {0, nearest_face(mesh, ray, !state.inside)}, !state.inside};

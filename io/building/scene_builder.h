@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scene/scene.h"
+#include "io/building/keyword_effects.h"
 #include "io/building/shape_material.h"
 #include "io/text/read_error.h"
 
@@ -26,8 +27,8 @@ public:
   /// background and environment.
   [[nodiscard]] Scene& scene() { return scene_; }
 
-  /// The id of this finish, which is that of an equal one before. It is not checked.
-  MaterialId add_material(const Material& finish);
+  /// The id of the finish that a shape of this material has, which is that of an equal one before.
+  MaterialId add_material(const SourcePosition& where, const ShapeMaterial& material);
   /// The same for what fills a solid. Throws ReadError as `check_medium` does.
   MediumId add_medium(const SourcePosition& where, const Medium& medium);
 
@@ -35,8 +36,8 @@ public:
   /// ReadError for a material that does not fit.
   void add_shape(const SourcePosition& where, PlacedShape shape, const ShapeMaterial& material);
 
-  /// Adds a light.
-  void add_light(Light light);
+  /// Adds a light, to which the noted statements apply.
+  void add_light(Light light, const LightKeywords& given = {});
 
   /// The number of the image that this file holds, which `read` reads unless it is there.
   std::size_t add_image(const std::filesystem::path& file,
@@ -50,6 +51,12 @@ public:
   /// Warns once of a glass whose formula was not fitted for all wavelengths of a picture.
   void warn_of_extrapolation(const SourcePosition& where, const Glass& glass, const Warn& warn);
 
+  /// Warns of keywords without effect, and of materials that give back more light than they get.
+  void warn_of_the_whole(const Warn& warn) const;
+
+  /// What keywords have acted on.
+  [[nodiscard]] KeywordLedger& keywords() { return keywords_; }
+
   /// Hands out the scene, after which the builder has none.
   [[nodiscard]] Scene take() { return std::move(scene_); }
 
@@ -59,11 +66,16 @@ private:
     std::unordered_multimap<std::size_t, std::int32_t> numbers;
     std::int32_t last = -1; ///< asked for most recently, and mostly asked for again
   };
+  /// Lowers shares that add up to more than 1, and notes other finishes whose parts do.
+  MaterialId add_finish(const SourcePosition& where, Material finish);
+  void note_energy(const SourcePosition& where, const Material& finish, double shares);
   template <class Value, class Check>
   static std::int32_t number_of(KnownValues& known, std::vector<Value>& values, const Value& value,
                                 const Check& check);
 
   Scene scene_;
+  KeywordLedger keywords_;
+  std::vector<std::string> energy_warnings_;
   KnownValues materials_, media_;
   std::map<std::filesystem::path, std::size_t> images_;
   std::set<const Glass*> warned_glasses_;

@@ -1,6 +1,7 @@
 #include "io/building/shape_material.h"
 
 #include "core/scene/quantity_limits.h"
+#include "core/scene/scene.h"
 #include "spectral/band_grid.h"
 
 #include <fmt/format.h>
@@ -37,6 +38,12 @@ Material default_finish() {
   return finish;
 }
 
+ShapeMaterial default_material() {
+  ShapeMaterial material;
+  material.default_ambient = material.default_diffuse = true;
+  return material;
+}
+
 ShapeMaterial clear_material(const Medium& filling) {
   Material clear;
   clear.reflectivity = clear.transparency = Curve::constant(1.0);
@@ -59,6 +66,15 @@ ShapeMaterial bare_metal(const Metal& metal) {
 
 bool is_transparent(const Material& finish) {
   return finish.transparency.constant_value() != 0.0;
+}
+
+bool needs_inside(const Scene& scene, const ShapeMaterial& material) {
+  const Medium& medium = material.medium;
+  if (is_achromatic(medium.index) && refractive_index(medium.index, kLowerNm) == 1.0) return false;
+  if (const auto& mixture = material.finish.mixture)
+    return needs_inside(scene, {scene.materials[mixture->first.index()], medium}) ||
+           needs_inside(scene, {scene.materials[mixture->second.index()], medium});
+  return is_transparent(material.finish) && material.finish.fresnel && !material.finish.pane;
 }
 
 void check_surface(const SourcePosition& where, const Material& finish) {
@@ -91,8 +107,19 @@ void check_solid(const Scene& scene, const SourcePosition& where, const Material
                     "Give glass instead, or one of those shapes");
 }
 
-Material filled_pane(const SourcePosition& where, const ShapeMaterial& material) {
+void check_sheet(const Scene& scene, const SourcePosition& where, const ShapeMaterial& material) {
+  if (needs_inside(scene, material))
+    throw ReadError(where, "a transparent material does not go with a sheet",
+                    "squares, discs, planes and open meshes have no inside that it could fill",
+                    "Give thinGlass, a pane of some thickness, or a flat cube");
+}
+
+Material shape_finish(const SourcePosition& where, const ShapeMaterial& material) {
   Material finish = material.finish;
+  if (is_transparent(finish)) {
+    if (material.default_ambient) finish.ambient = Curve::constant(0.0);
+    if (material.default_diffuse) finish.diffuse = Curve::constant(0.0);
+  }
   if (finish.pane) {
     check_index(where, material.medium);
     finish.pane->index = material.medium.index;

@@ -59,7 +59,7 @@ void fix_header(std::vector<std::byte>& profile) {
 } // namespace
 
 std::string profile_name(const DisplayEncoding& encoding) {
-  const std::string space = encoding.space == srgb_space() ? "sRGB" : encoding.space.name;
+  std::string space = encoding.space == srgb_space() ? "sRGB" : encoding.space.name;
   const TransferFunction& transfer = encoding.transfer;
   if (transfer == encoding.space.transfer) return space;
   if (transfer == linear_transfer()) return "linear " + space;

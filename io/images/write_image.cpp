@@ -44,7 +44,7 @@ std::string write_as_png(const std::filesystem::path& path, const SceneLinearIma
 }
 
 // Each writer goes through replace_file itself, so that none can be called without it.
-constexpr std::array output_formats = {
+constexpr std::array kOutputFormats = {
     OutputFormat{".exr", true, write_as_exr},
     OutputFormat{".tif", false, write_as_tiff},
     OutputFormat{".tiff", false, write_as_tiff},
@@ -56,8 +56,8 @@ const OutputFormat* find_format(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   for (char& c : extension)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  const auto row = std::ranges::find(output_formats, extension, &OutputFormat::extension);
-  return row == output_formats.end() ? nullptr : &*row;
+  const auto row = std::ranges::find(kOutputFormats, extension, &OutputFormat::extension);
+  return row == kOutputFormats.end() ? nullptr : &*row;
 }
 
 } // namespace
@@ -73,9 +73,9 @@ bool is_scene_linear_extension(const std::filesystem::path& path) {
 
 std::string known_image_extensions() {
   std::string list;
-  for (std::size_t i = 0; i < output_formats.size(); ++i) {
-    if (i > 0) list += i + 1 < output_formats.size() ? ", " : " or ";
-    list += output_formats[i].extension;
+  for (std::size_t i = 0; i < kOutputFormats.size(); ++i) {
+    if (i > 0) list += i + 1 < kOutputFormats.size() ? ", " : " or ";
+    list += kOutputFormats[i].extension;
   }
   return list;
 }

@@ -29,7 +29,7 @@ void code_values(std::span<const float> values, Code* codes) {
   constexpr double max = std::numeric_limits<Code>::max();
   for (const float value : values) {
     const double unit = value > 0.0f ? std::fmin(value, 1.0) : 0.0;
-    *codes++ = static_cast<Code>(unit * max + 0.5);
+    *codes++ = static_cast<Code>(std::floor(unit * max + 0.5));
   }
 }
 

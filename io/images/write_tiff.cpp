@@ -118,7 +118,7 @@ void set_crop(TIFF* tiff, const PixelWindow& display, const PixelWindow& data) {
 void set_texts(TIFF* tiff, const Samples& samples, const Metadata& metadata) {
   std::string description;
   for (const auto& [name, value] : metadata)
-    description += name + ": " + value + '\n';
+    description.append(name).append(": ").append(value) += '\n';
   set(tiff, TIFFTAG_SOFTWARE, "abbe");
   if (!description.empty()) set(tiff, TIFFTAG_IMAGEDESCRIPTION, description.c_str());
   set(tiff, TIFFTAG_ICCPROFILE, static_cast<std::uint32_t>(samples.icc_profile.size()),

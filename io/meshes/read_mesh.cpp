@@ -29,14 +29,40 @@ std::string content_of(const Token& name, const fs::path& file) {
   }
 }
 
-Mesh mesh_of(const std::string& content, const fs::path& file, bool obj, const Warn& warn) {
+std::string counted(std::size_t count, std::string_view one, std::string_view several) {
+  return fmt::format("{} {}", count, count == 1 ? one : several);
+}
+
+/// What has been done to close a mesh; empty: nothing.
+std::string changes(const MendedMesh& mended) {
+  std::string list;
+  const auto add = [&](const std::string& change) { list += (list.empty() ? "" : ", ") + change; };
+  if (mended.repeated > 0)
+    add(counted(mended.repeated, "triangle that came twice was dropped",
+                "triangles that came twice were dropped"));
+  if (mended.welded > 0)
+    add(counted(mended.welded, "vertex was moved", "vertices were moved") +
+        fmt::format(" by at most {:.2g}", mended.tolerance));
+  if (mended.split > 0)
+    add(counted(mended.split, "triangle was split at a vertex on its edge",
+                "triangles were split at vertices on their edges"));
+  if (mended.turned > 0)
+    add(counted(mended.turned, "triangle was turned over", "triangles were turned over"));
+  return list;
+}
+
+MendedMesh mesh_of(const std::string& content, const fs::path& file, bool obj, const Warn& warn) {
   const Polygons polygons = obj ? read_obj(content, file, warn) : read_ply(content, file);
-  return {polygons.vertices, triangles_of(polygons, file, warn)};
+  MendedMesh mended = close_mesh({polygons.vertices, triangles_of(polygons, file, warn)});
+  if (const std::string list = changes(mended); !list.empty())
+    warn(fmt::format("{}: the mesh has been mended, so that it bounds a solid: {}", file.string(),
+                     list));
+  return mended;
 }
 
 } // namespace
 
-Mesh read_mesh(Arguments& arguments, MeshFiles& files, const Warn& warn) {
+const MendedMesh& read_mesh(Arguments& arguments, MeshFiles& files, const Warn& warn) {
   const Token name = arguments.name_token("the name of a file");
   const fs::path file = fs::path(name.where.file).parent_path() / name.text;
   const bool obj = same_name(file.extension().string(), ".obj");
@@ -60,6 +86,23 @@ Mesh read_mesh(Arguments& arguments, MeshFiles& files, const Warn& warn) {
     throw ReadError(name.where, fmt::format("\"{}\" holds no surface", file.string()), fault.what(),
                     "Give a file with triangles or polygons");
   }
+}
+
+ReadError open_mesh_error(const SourcePosition& where, const OpenMesh& open) {
+  const auto place = [](const glm::dvec3& p) {
+    return fmt::format("({:g} {:g} {:g})", p.x, p.y, p.z);
+  };
+  const std::string why =
+      open.one_sided ? "it has one side only, as a Moebius band"
+                     : fmt::format("{}; {} from {} to {}",
+                                   counted(open.edges, "edge does not join triangles in pairs",
+                                           "edges do not join triangles in pairs"),
+                                   open.edges == 1 ? "it goes" : "the first goes", place(open.from),
+                                   place(open.to));
+  return {
+      where, "the mesh is not closed, so that nothing can fill it", why,
+      "Close it where it was made (fill its holes, merge its vertices, remove walls inside it), "
+      "or give thinGlass for a sheet"};
 }
 
 } // namespace abbe

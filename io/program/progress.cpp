@@ -15,7 +15,7 @@ namespace abbe {
 namespace {
 
 std::string clock(double seconds) {
-  const auto s = static_cast<long>(seconds + 0.5);
+  const auto s = std::lround(seconds);
   if (s >= 3600) return fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
   return fmt::format("{}:{:02}", s / 60, s % 60);
 }
@@ -91,16 +91,19 @@ std::string summary(const Rendering& rendering) {
   const RayCounts& rays = rendering.rays;
   const RefusedValues& refused = rendering.film.refused();
   return reached(rendering) +
-         fmt::format("rays: {} camera, {} reflected, {} refracted, {} scattered, {} shadow, "
-                     "{} light; {} in {:.2f} s, "
-                     "{:.2f} Mray/s\n"
-                     "{}"
-                     "refused samples: {} not finite, {} negative, {} overflow\n"
-                     "peak memory: {:.0f} MiB",
-                     rays.camera, rays.reflected, rays.refracted, rays.scattered, rays.shadow,
-                     rays.light, rays.total(), rendering.seconds,
-                     million_per_second(rays.total(), rendering.seconds), lighting(rendering),
-                     refused.not_finite, refused.negative, refused.overflow, peak_memory_mib());
+         fmt::format(
+             "rays: {} camera, {} reflected, {} refracted, {} scattered, {} shadow, "
+             "{} light; {} in {:.2f} s, "
+             "{:.2f} Mray/s\n"
+             "{}"
+             "refused samples: {} not finite, {} negative, {} overflow{}\n"
+             "peak memory: {:.0f} MiB",
+             rays.camera, rays.reflected, rays.refracted, rays.scattered, rays.shadow, rays.light,
+             rays.total(), rendering.seconds, million_per_second(rays.total(), rendering.seconds),
+             lighting(rendering), refused.not_finite, refused.negative, refused.overflow,
+             rays.not_finite > 0 ? fmt::format("; refused rays: {} not finite", rays.not_finite)
+                                 : "",
+             peak_memory_mib());
 }
 
 } // namespace abbe

@@ -43,6 +43,23 @@ const std::vector<SceneKeyword>& all_keywords() {
   return list;
 }
 
+/// Notes a statement whose effect hangs on what it applies to.
+void note_statement(SceneState& state, std::string_view keyword, const SourcePosition& where) {
+  KeywordLedger& ledger = state.builder.keywords();
+  if (const MaterialEffect* effect = material_effect(keyword)) {
+    NotedKeyword& slot = state.material.given[effect->slot];
+    if (effect->is_neutral(state.material)) {
+      ledger.keep(slot);
+      slot = {};
+    } else {
+      ledger.note(slot, effect->keyword, where);
+    }
+  }
+  note_given(state.given, keyword, where);
+  if (const LightEffect* effect = light_effect(keyword))
+    ledger.note(state.light.given[effect->slot], effect->keyword, where);
+}
+
 const SceneKeyword* find_keyword(const Token& token) {
   for (const SceneKeyword& keyword : all_keywords())
     if (is_word(token, name_of(keyword))) return &keyword;
@@ -93,6 +110,7 @@ void read_statement(SceneState& state, TokenReader& reader) {
   Arguments arguments(reader, token, keyword->usage);
   try {
     keyword->read(state, arguments);
+    note_statement(state, name_of(*keyword), token.where);
   } catch (const std::invalid_argument& error) { // from below: numbers of an absurd size
     throw ReadError(token.where, fmt::format("{} cannot be carried out", name_of(*keyword)),
                     error.what(), "Give numbers of an ordinary size");
@@ -100,7 +118,7 @@ void read_statement(SceneState& state, TokenReader& reader) {
 }
 
 Scene read_scene_text(std::string_view text, const std::filesystem::path& file, const Warn& warn,
-                      InputFiles* files) {
+                      InputFiles* files, GivenKeywords* given) {
   SceneState state;
   state.scene.title = file.stem().string();
   state.libraries.folder = file.parent_path();
@@ -113,7 +131,9 @@ Scene read_scene_text(std::string_view text, const std::filesystem::path& file, 
   check_pushes(state);
   if (state.camera_at) check_view(*state.camera_at, state.scene.camera);
   finish_camera_lens(state);
+  state.builder.warn_of_the_whole(state.warn);
   if (state.crop_at) check_crop(*state.crop_at, state.scene.settings);
+  if (given) *given = std::move(state.given);
   if (files) {
     files->push_back(file);
     files->insert(files->end(), state.files.begin(), state.files.end());
@@ -122,8 +142,9 @@ Scene read_scene_text(std::string_view text, const std::filesystem::path& file, 
   return state.builder.take();
 }
 
-Scene read_scene(const std::filesystem::path& file, const Warn& warn, InputFiles* files) {
-  return read_scene_text(read_text_file(file), file, warn, files);
+Scene read_scene(const std::filesystem::path& file, const Warn& warn, InputFiles* files,
+                 GivenKeywords* given) {
+  return read_scene_text(read_text_file(file), file, warn, files, given);
 }
 
 } // namespace abbe

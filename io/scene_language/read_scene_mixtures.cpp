@@ -16,6 +16,8 @@ namespace {
 
 void read_def_material(SceneState& state, Arguments& arguments) {
   const Token name = arguments.name_token("the name of a material");
+  for (const NotedKeyword slot : state.material.given.slots)
+    state.builder.keywords().keep(slot);
   if (const auto known = state.material_names.find(name.text)) {
     state.named[*known] = state.material;
     return;

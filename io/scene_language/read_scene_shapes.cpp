@@ -63,11 +63,10 @@ void read_triangles(SceneState& state, Arguments& arguments) {
     throw ReadError(where, "mesh cannot be an operand", "booleans combine convex solids",
                     "Give it a place of its own, with a priority where it overlaps others");
   add_input(state.files, arguments.reader().peek());
-  Mesh mesh = read_mesh(arguments, state.meshes, state.warn);
-  if (!mesh.is_closed() && is_transparent(state.material.finish))
-    warn_at(state, where,
-            "the mesh has no inside to fill (some edge does not join two triangles of one sense)");
-  place_shape(state, where, std::move(mesh), state.transform, state.material);
+  const MendedMesh& read = read_mesh(arguments, state.meshes, state.warn);
+  if (!read.mesh.is_closed() && needs_inside(state.scene, state.material))
+    throw open_mesh_error(where, read.open);
+  place_shape(state, where, read.mesh, state.transform, state.material);
 }
 
 constexpr std::array kKeywords{

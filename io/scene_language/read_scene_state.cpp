@@ -21,7 +21,7 @@ LinearRgb read_rgb(Arguments& arguments) {
 Curve read_emission(SceneState& state, Arguments& arguments) {
   if (arguments.number_follows()) return rgb_emission(read_rgb(arguments));
   const Token name = arguments.name_token("a colour or the name of a spectrum");
-  const Curve spectrum = look_up_light(state.libraries, name, state.warn);
+  Curve spectrum = look_up_light(state.libraries, name, state.warn);
   if (!arguments.number_follows()) return spectrum;
   return spectrum.scaled(arguments.number({"a factor on the spectrum", 0.0, kMostLight}));
 }

@@ -19,10 +19,12 @@ namespace abbe {
 namespace {
 
 void read_roughness(SceneState& state, Arguments& arguments) {
+  require_unmixed(state, arguments);
   state.material.finish.roughness = arguments.number({"a roughness", 0.0, 1.0});
 }
 
 void read_compensation(SceneState& state, Arguments& arguments) {
+  require_unmixed(state, arguments);
   state.material.finish.compensation = arguments.on_off();
 }
 
@@ -34,6 +36,7 @@ Dispersion read_index(SceneState& state, Arguments& arguments) {
 }
 
 void read_thin_film(SceneState& state, Arguments& arguments) {
+  require_unmixed(state, arguments);
   const double nm = arguments.number({"a thickness in nm, 0 for none", 0.0, 1e6});
   Dispersion index = read_index(state, arguments);
   state.material.finish.film.reset();
@@ -41,6 +44,7 @@ void read_thin_film(SceneState& state, Arguments& arguments) {
 }
 
 void read_coat(SceneState& state, Arguments& arguments) {
+  require_unmixed(state, arguments);
   state.material.finish.coat = read_index(state, arguments);
 }
 

@@ -164,7 +164,7 @@ std::string right_text(const DisplaySetting& row) {
 }
 
 RenderSettings overridden(RenderSettings scene, const SettingsOverride& given) {
-  return with(std::move(scene), given);
+  return with(scene, given);
 }
 
 DisplaySettings overridden(DisplaySettings scene, const DisplayOverride& given) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <utility>
 
 namespace abbe {
@@ -42,7 +43,7 @@ std::vector<std::string> similar_names(std::string_view wanted,
                                        const std::vector<std::string>& known) {
   const std::string target = lower_case(wanted);
   const std::size_t near = std::max<std::size_t>(1, target.size() / 3);
-  std::vector<std::pair<std::size_t, std::string>> found;
+  std::multimap<std::size_t, std::string> found; // those of one rank stay in their order
   for (const std::string& name : known) {
     const std::string candidate = lower_case(name);
     const auto [shorter, longer] = std::minmax(target.size(), candidate.size());
@@ -52,16 +53,13 @@ std::vector<std::string> similar_names(std::string_view wanted,
     const bool part = is_part(target, candidate) || is_part(candidate, target);
     // A whole part counts as nearly as good as one wrong letter.
     if (distance <= near && distance < target.size())
-      found.emplace_back(2 * distance, name);
+      found.emplace(2 * distance, name);
     else if (part)
-      found.emplace_back(3, name);
+      found.emplace(3, name);
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  if (found.size() > kMostNames) found.resize(kMostNames);
   std::vector<std::string> names;
   for (auto& [rank, name] : found)
-    names.push_back(std::move(name));
+    if (names.size() < kMostNames) names.push_back(std::move(name));
   return names;
 }
 

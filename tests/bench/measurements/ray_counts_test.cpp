@@ -48,9 +48,20 @@ TEST_CASE("a mirror takes a reflected ray") {
 
 // Looked through square on, a plate with R = ((n - 1) / (n + 1))^2 near 0.04 at each face throws
 // back R, lets in T = 1 - R, and keeps T R^k behind the k-th face inside. Ways that carry less than
-// 1e-3 are dropped: T R^2 = 1.6e-3 is followed once more, and so is what leaves of it, T^2 R^2;
-// T R^3 is not. So there are 1 + 2 reflected rays, and 1 + 3 refracted ones. A fan of as many
-// sub-bundles as bands leaves nothing to chance.
+// 1e-3 are left to chance: T R^2 = 1.6e-3 is followed once more, and so is what leaves of it,
+// T^2 R^2; T R^3 = 6e-5 with the chance 0.06. So there are 1 + 2 reflected rays for sure, and
+// 1 + 3 refracted ones. A fan of as many sub-bundles as bands leaves nothing else to chance.
+
+namespace {
+
+/// So many rays of a sample for sure, and more by no more than 2.3 times the mean of T R^3 / 1e-3,
+/// which is four standard deviations of the samples' mean.
+bool about(std::uint64_t rays, double sure, double ways = 1.0) {
+  const double of_sample = static_cast<double>(rays) / kSamples;
+  return of_sample >= sure && of_sample <= sure + 0.15 * ways;
+}
+
+} // namespace
 
 TEST_CASE("a plate without dispersion takes three reflected and four refracted rays") {
   const std::string plate = "background D65 1 maxFan 81 ambient 0 0 0 diffuse 0 0 0\n"
@@ -60,18 +71,18 @@ TEST_CASE("a plate without dispersion takes three reflected and four refracted r
     for (const bool exact : {false, true}) {
       const RayCounts c = counts_of(plate, exact, bands);
       CHECK(c.camera == kSamples);
-      CHECK(c.reflected == 3 * kSamples);
-      CHECK(c.refracted == 4 * kSamples);
+      CHECK(about(c.reflected, 3.0));
+      CHECK(about(c.refracted, 4.0));
     }
 }
 
 TEST_CASE("exactly, each band takes its rays through a plate; bundles take a tenth at most") {
   const std::string plate = "background D65 1 glass N-BK7 scale 1 1 0.1 cube";
   const RayCounts exact = counts_of(plate, true);
-  CHECK(exact.reflected == (1 + 81 * 2) * kSamples);
-  CHECK(exact.refracted == 81 * 4 * kSamples);
+  CHECK(about(exact.reflected, 1 + 81 * 2, 81));
+  CHECK(about(exact.refracted, 81 * 4, 81));
   const RayCounts bundled = counts_of(plate + " maxFan 81");
-  CHECK(bundled.reflected == 3 * kSamples); // they stay together
+  CHECK(about(bundled.reflected, 3));       // they stay together
   CHECK(bundled.refracted >= 4 * kSamples); // some to see that they may
   CHECK(10 * bundled.total() <= exact.total());
   CHECK(counts_of(plate).total() <= bundled.total()); // fewer where chance decides

@@ -58,7 +58,7 @@ TEST_CASE("the glass of a pane is a layer, and a passage absorbs by its thicknes
   CHECK(pane.absorption[40] == Approx(0.2)); // thickness and absorption are in mm
   CHECK(plan.has_panes);
   CHECK(plan.media.empty());
-  CHECK_FALSE(plan_of("background E 1 glass N-BK7 square").has_panes);
+  CHECK_FALSE(plan_of("background E 1 glass N-BK7 cube").has_panes);
 }
 
 TEST_CASE("a part that is fainter than the least followed is absent") {

@@ -113,16 +113,37 @@ TEST_CASE("a library that an OBJ names is not opened, and concave ends stay conc
   CHECK(folder.warnings.empty());
 }
 
-TEST_CASE("glass in an open mesh is a warning") {
+TEST_CASE("a mesh that can be mended becomes a solid, with one word on what was changed") {
+  Folder folder;
+  std::string turned = kCubeObj; // its last face, which is two triangles
+  turned.replace(turned.rfind("2 4 8 6"), 7, "6 8 4 2");
+  folder.write("turned.obj", turned);
+  folder.write("seam.obj", kCubeObj + "v 1 1.0000001 1\nf 8 9 1\nf 1 8 9\n");
+  const Scene scene = folder.read("glass N-BK7 mesh turned.obj mesh turned.obj");
+  CHECK(scene.shapes[0].medium.valid());
+  CHECK(contains(scene.shapes[1], {0.9, -0.9, 0.9}));
+  REQUIRE(folder.warnings.size() == 1);
+  CHECK(folder.warnings[0] ==
+        (folder.path / "turned.obj").string() +
+            ": the mesh has been mended, so that it bounds a solid: 2 triangles were turned over");
+}
+
+TEST_CASE("glass in an open mesh is an error that says where it is open, and what would help") {
   Folder folder;
   folder.write("leaf.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  const Scene scene = folder.read("mesh leaf.obj glass N-BK7 mesh leaf.obj");
-  REQUIRE(scene.shapes.size() == 2);
-  CHECK_FALSE(scene.shapes[1].medium.valid());
-  REQUIRE(folder.warnings.size() == 1);
-  CHECK(
-      folder.warnings[0].find("s.sdl:1:27: the mesh has no inside to fill (some edge does not join "
-                              "two triangles of one sense)") != std::string::npos);
+  std::string lidless = kCubeObj;
+  lidless.erase(lidless.find("f 5 6 8 7\n"), 10);
+  folder.write("lidless.obj", lidless);
+  CHECK(folder.error("mesh leaf.obj glass N-BK7 mesh leaf.obj") ==
+        "s.sdl:1:27: the mesh is not closed, so that nothing can fill it (3 edges do not join "
+        "triangles in pairs; the first goes from (0 0 0) to (1 0 0)). Close it where it was made "
+        "(fill its holes, merge its vertices, remove walls inside it), or give thinGlass for a "
+        "sheet");
+  CHECK(folder.error("mesh lidless.obj thinGlass 1 N-BK7 mesh lidless.obj") == "no error");
+  const std::string error = folder.error("speedOfLight 1.5 transparency 1 mesh lidless.obj");
+  CHECK(error.find("s.sdl:1:33: the mesh is not closed, so that nothing can fill it (4 edges do "
+                   "not join triangles in pairs; the first goes from (") == 0);
+  CHECK(folder.warnings.empty());
 }
 
 TEST_CASE("errors of meshes") {

@@ -51,7 +51,7 @@ TEST_CASE("inline keywords change the current material, shapes keep the state th
 TEST_CASE("transparency above 0 fills the solid with speedOfLight and vnum") {
   const Scene scene =
       scene_of("speedOfLight 1.5 sphere transparency 0.9 sphere vnum 2 absorption 0.1 sphere\n"
-               "square");
+               "fresnel off square");
   CHECK_FALSE(scene.shapes.at(0).medium.valid());
   CHECK(medium_of(scene, 1).index == Dispersion(ThesisScaled{1.5, 0.0}));
   CHECK(finish_of(scene, 1).transparency.constant_value() == 0.9);

@@ -43,7 +43,7 @@ TEST_CASE("a film on an operand is checked with the operand's own finish") {
 TEST_CASE("a pane is a material of its own, of the glass that would fill a solid") {
   const Scene scene = scene_of("roughness 0.3 thinGlass 4 N-BK7 absorption 0.002 square "
                                "thinGlass 2.5 1.6 reflectivity 0.5 disc plane "
-                               "glass N-BK7 square");
+                               "glass N-BK7 sphere");
   REQUIRE(scene.materials.size() == 3);
   const Material& window = scene.materials[0];
   REQUIRE(window.pane.has_value());
@@ -57,7 +57,26 @@ TEST_CASE("a pane is a material of its own, of the glass that would fill a solid
   CHECK(number.pane == ThinPane{2.5, ConstantIndex{1.6}, Curve::constant(0.0)});
   CHECK(number.reflectivity.constant_value() == 0.5);
   CHECK_FALSE(scene.materials[2].pane.has_value());
-  CHECK(scene.media.empty());
+  CHECK(scene.media.size() == 1); // the sphere's
+}
+
+TEST_CASE("glass on a shape without an inside is an error that names thinGlass") {
+  const std::string error = "a transparent material does not go with a sheet (squares, discs, "
+                            "planes and open meshes have no inside that it could fill). Give "
+                            "thinGlass, a pane of some thickness, or a flat cube";
+  for (const std::string shape : {"square", "disc", "plane"}) {
+    CHECK(scene_error("glass N-BK7\n" + shape) == "s.sdl:2:1: " + error);
+    CHECK(scene_error("speedOfLight 1.3 transparency 0.5\n" + shape) == "s.sdl:2:1: " + error);
+    CHECK(scene_error("defMaterial dust glass N-BK7 defMaterial clear mix dust clear 0.5\n" +
+                      shape) == "s.sdl:2:1: " + error);
+    CHECK(scene_error("thinGlass 4 N-BK7 defMaterial pane defaultMaterials defMaterial dust "
+                      "mix pane dust 0.5 " +
+                      shape) == "no error");
+    // Light goes straight through these, by shares of their own.
+    CHECK(scene_error("transparency 0.5 diffuse 0 0 0 " + shape) == "no error");
+    CHECK(scene_error("glass N-BK7 fresnel off transparency 0.5 reflectivity 0 " + shape) ==
+          "no error");
+  }
 }
 
 TEST_CASE("panes are no solids, and have bare and smooth faces") {
