@@ -55,6 +55,9 @@ public:
   /// The value, when the curve was made as a constant.
   [[nodiscard]] std::optional<double> constant_value() const;
 
+  /// True for a curve that was made as the constant 0.
+  [[nodiscard]] bool zero() const { return constant_value() == 0.0; }
+
   /// This curve times a number.
   [[nodiscard]] Curve scaled(double factor) const;
 

@@ -20,10 +20,9 @@ MaterialPlan planned_mixture(const Plan& plan, const Mixture& mixture) {
 }
 
 bool is_clear(const Material& material) {
-  const auto absent = [](const Curve& part) { return part.constant_value() == 0.0; };
-  return material.transparency.constant_value() == 1.0 && absent(material.reflectivity) &&
-         absent(material.ambient) && absent(material.diffuse) && absent(material.specular) &&
-         absent(material.emission) && material.roughness == 0.0 && !material.film &&
+  return material.transparency.constant_value() == 1.0 && material.reflectivity.zero() &&
+         material.ambient.zero() && material.diffuse.zero() && material.specular.zero() &&
+         material.emission.zero() && material.roughness == 0.0 && !material.film &&
          !material.coat && !material.texture && !material.mixture && !material.pane;
 }
 
@@ -50,8 +49,7 @@ void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
                                tables.wavelengths_nm(), settings.skip.constant_curves);
     m.emits_behind = material.emits_behind;
     m.clear = is_clear(material);
-    if (material.emission.constant_value() != 0.0)
-      m.emission_source = sources.add(material.emission);
+    if (!material.emission.zero()) m.emission_source = sources.add(material.emission);
     if (material.mixture) m = planned_mixture(plan, *material.mixture);
     plan.has_panes = plan.has_panes || m.facts().passes;
     plan.materials.push_back(std::move(m));

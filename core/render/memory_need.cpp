@@ -12,8 +12,9 @@ constexpr std::uint64_t kSum = sizeof(std::int64_t);
 constexpr std::uint64_t kPicture = 6 * sizeof(float);
 /// Counts of all samples and of those that met a surface.
 constexpr std::uint64_t kCounts = 2 * sizeof(std::uint32_t);
-/// What pixels of adaptive sampling are known by: rays and shares, and what finds the shares.
-constexpr std::uint64_t kAdaptive = 44;
+/// What pixels of adaptive sampling are known by: rays, shares and numbers of samples, and after
+/// the first round what finds the shares.
+constexpr std::uint64_t kAdaptive = 3 * 4 + 32;
 
 std::uint64_t bytes_of(const LayerForm& form, std::uint64_t pixels, const BandPlace& place) {
   const std::uint64_t bytes = pixels * form.values() * kSum;

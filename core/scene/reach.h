@@ -1,10 +1,10 @@
 #pragma once
 
+#include "geometry/rays/largest_component.h"
 #include "geometry/world/shape.h"
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace abbe {
@@ -15,7 +15,7 @@ inline constexpr double kFarthestCoordinate = 1e17;
 
 /// The largest coordinate of a place.
 [[nodiscard]] inline double reach_of(const dvec3& p) {
-  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return largest_component(p);
 }
 
 /// The largest coordinate of a shape; of an endless plane that of its point next to the origin.

@@ -48,7 +48,7 @@ Transform::Transform(const glm::dmat3& linear, const dvec3& offset)
   // one rounding per entry, up to stretches of about 2^11 to one.
   inverse_ = glm::dmat3(glm::inverse(glm::mat<3, 3, long double>(linear)));
   inverse_norm_ = row_norm(inverse_);
-  image_size_ = largest(offset) + row_norm(linear);
+  image_size_ = largest_component(offset) + row_norm(linear);
 }
 
 Transform Transform::translation(const dvec3& offset) {

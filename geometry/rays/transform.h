@@ -1,12 +1,10 @@
 #pragma once
 
 #include "geometry/rays/interval.h"
+#include "geometry/rays/largest_component.h"
 #include "geometry/rays/ray.h"
 
 #include <glm/mat3x3.hpp>
-
-#include <algorithm>
-#include <cmath>
 
 namespace abbe {
 
@@ -59,7 +57,7 @@ public:
   }
   [[nodiscard]] static double mapping_error(double inverse_norm, const dvec3& v, double v_error,
                                             double image_size) {
-    return inverse_norm * (v_error + 8.0 * kRoundoff * (largest(v) + image_size));
+    return inverse_norm * (v_error + 8.0 * kRoundoff * (largest_component(v) + image_size));
   }
 
   [[nodiscard]] const glm::dmat3& linear() const { return linear_; }
@@ -75,10 +73,6 @@ public:
   [[nodiscard]] Bounds disc_box(double z, double radius) const;
 
 private:
-  [[nodiscard]] static double largest(const dvec3& v) {
-    return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z));
-  }
-
   glm::dmat3 linear_{1.0};
   dvec3 offset_{0.0};
   glm::dmat3 inverse_{1.0};

@@ -1,5 +1,7 @@
 #include "geometry/world/shape_at_place.h"
 
+#include "geometry/rays/largest_component.h"
+
 #include <cmath>
 #include <vector>
 
@@ -57,10 +59,6 @@ Departure departure_from(const Mesh& mesh, const LocalRay& ray) {
   return {crossed.face, entering};
 }
 
-double largest(const dvec3& v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 } // namespace
 
 Departure departure(const PlacedShape& placed, const Ray& ray, double place_error) {
@@ -77,7 +75,7 @@ Departure departure(const PlacedShape& placed, const Ray& ray, double place_erro
 /// after the map.
 double surface_error(const PlacedShape& placed) {
   const double extent = is_bounded(placed.shape) ? bounds(placed).largest_coordinate() : 0.0;
-  return 16.0 * kRoundoff * (largest(placed.to_world.offset()) + extent);
+  return 16.0 * kRoundoff * (largest_component(placed.to_world.offset()) + extent);
 }
 
 } // namespace abbe

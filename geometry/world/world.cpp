@@ -1,6 +1,7 @@
 #include "geometry/world/world.h"
 
 #include "geometry/rays/finite_ray.h"
+#include "geometry/rays/largest_component.h"
 #include "geometry/world/shape_at_place.h"
 #include "geometry/world/world_callbacks.h"
 
@@ -355,10 +356,6 @@ bool is_flat(const Shape& shape) {
   return std::visit([]<class S>(const S&) { return FlatShape<S>; }, shape);
 }
 
-double largest(const dvec3& p) {
-  return std::max(std::max(std::abs(p.x), std::abs(p.y)), std::abs(p.z));
-}
-
 /// Whether a flat shape's plane runs through a box.
 bool runs_through(const PlacedShape& flat, const Bounds& box) {
   const dvec3 normal = flat.to_world.normal({0.0, 0.0, 1.0});
@@ -426,7 +423,8 @@ bool World::shows(ShapeId shape, const Ray& ray, double distance) const {
   dvec3 place = ray.at(distance);
   if (const auto* ball = std::get_if<Sphere>(&placed.shape))
     place = placed.to_world.point(snapped(*ball, placed.to_world.inverse_point(place), FaceId{}));
-  const double error = surface_error(placed) + 8.0 * kRoundoff * (largest(ray.origin) + distance);
+  const double error =
+      surface_error(placed) + 8.0 * kRoundoff * (largest_component(ray.origin) + distance);
   RayState state{{place, ray.direction}, {}, {}};
   return impl_->begin(shape, error, state);
 }

@@ -9,11 +9,8 @@
 namespace abbe {
 namespace {
 
-bool is_there(const Curve& part) {
-  return part.constant_value() != 0.0;
-}
 bool is_specular(const Material& finish) {
-  return is_there(finish.reflectivity) || is_transparent(finish);
+  return !finish.reflectivity.zero() || is_transparent(finish);
 }
 bool never(const ShapeMaterial&) {
   return false;
@@ -41,20 +38,20 @@ constexpr auto kMaterialEffects = std::to_array<MaterialEffect>({
      [](const ShapeMaterial& m, bool) { return m.finish.fresnel && is_specular(m.finish); },
      "with fresnel off, or without any reflectivity and transparency, no film is seen"},
     {"reflectivity", MaterialSlot::reflectivity,
-     [](const ShapeMaterial& m) { return !is_there(m.finish.reflectivity); },
+     [](const ShapeMaterial& m) { return m.finish.reflectivity.zero(); },
      [](const ShapeMaterial& m, bool) { return !m.finish.coat; },
      "a coat reflects by its own index"},
     {"specularExponent", MaterialSlot::specular_exponent,
      [](const ShapeMaterial& m) { return m.finish.specular_exponent == 1.0; },
-     [](const ShapeMaterial& m, bool) { return is_there(m.finish.specular); },
+     [](const ShapeMaterial& m, bool) { return !m.finish.specular.zero(); },
      "there is no highlight: specular is 0"},
     {"emissiveSides", MaterialSlot::emissive_sides,
      [](const ShapeMaterial& m) { return m.finish.emits_behind; },
-     [](const ShapeMaterial& m, bool is_solid) { return !is_solid && is_there(m.finish.emission); },
+     [](const ShapeMaterial& m, bool is_solid) { return !is_solid && !m.finish.emission.zero(); },
      "the surface gives off no light, or is a solid's, which gives it off outwards"},
     {"fresnel", MaterialSlot::fresnel, [](const ShapeMaterial& m) { return m.finish.fresnel; },
      [](const ShapeMaterial& m, bool) {
-       return is_transparent(m.finish) || (m.finish.metal && is_there(m.finish.reflectivity));
+       return is_transparent(m.finish) || (m.finish.metal && !m.finish.reflectivity.zero());
      },
      "the surface is neither glass nor metal"},
     {"speedOfLight", MaterialSlot::index, never, has_filling, kNoFilling},

@@ -8,10 +8,6 @@
 namespace abbe {
 namespace {
 
-bool is_zero(const Curve& part) {
-  return part.constant_value() == 0.0;
-}
-
 /// What Phong's highlight gives back of light at normal incidence, where that is most:
 /// 1/pi cos^e(half angle) over the hemisphere.
 double highlight_share(double exponent) {
@@ -43,11 +39,11 @@ struct MostOfTexture {
 
 MaterialEnergy most_given_back(const Material& material, std::span<const ReflectanceImage> images) {
   MaterialEnergy found;
-  const bool highlight = !is_zero(material.specular);
-  const bool specular = !is_zero(material.reflectivity) || !is_zero(material.transparency);
+  const bool highlight = !material.specular.zero();
+  const bool specular = !material.reflectivity.zero() || !material.transparency.zero();
   if (material.mixture) return found;
   // Each part alone is 1 at most: what is read is limited to that.
-  if (!highlight && !(specular && (material.texture || !is_zero(material.diffuse)))) return found;
+  if (!highlight && !(specular && (material.texture || !material.diffuse.zero()))) return found;
   const double image = most_of_image(material, images);
   const double per_highlight = highlight_share(material.specular_exponent);
   for (double nm = kLowerNm; nm <= kUpperNm; nm += kSampleStepNm) {
@@ -66,8 +62,7 @@ MaterialEnergy most_given_back(const Material& material, std::span<const Reflect
 }
 
 double limit_shares(Material& material) {
-  if (material.fresnel || is_zero(material.reflectivity) || is_zero(material.transparency))
-    return 0.0;
+  if (material.fresnel || material.reflectivity.zero() || material.transparency.zero()) return 0.0;
   double most = 0.0;
   for (double nm = kLowerNm; nm <= kUpperNm; nm += kSampleStepNm)
     most = std::max(most, material.reflectivity.at(nm) + material.transparency.at(nm));

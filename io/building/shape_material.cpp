@@ -65,7 +65,7 @@ ShapeMaterial bare_metal(const Metal& metal) {
 }
 
 bool is_transparent(const Material& finish) {
-  return finish.transparency.constant_value() != 0.0;
+  return !finish.transparency.zero();
 }
 
 bool needs_inside(const Scene& scene, const ShapeMaterial& material) {

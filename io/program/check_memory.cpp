@@ -14,8 +14,7 @@ void check_memory(std::uint64_t need, std::optional<double> limit_gib) {
   if (need <= limit) return;
   throw UserError(
       fmt::format("the picture needs {} of memory, and the limit is {}, {}. Make it smaller, or "
-                  "render parts of "
-                  "it with --crop{}",
+                  "render parts of it with --crop{}",
                   memory_text(need), memory_text(limit),
                   limit_gib ? "which --limit-memory sets" : "which is what this machine has left",
                   limit_gib ? "" : "; --limit-memory sets another limit"));

@@ -99,19 +99,33 @@ bool has_samples(const Film& film) {
   return some;
 }
 
+/// What the command line asks for: a scene and its settings, checked and warned of.
+struct Request {
+  Scene scene;
+  RenderSettings settings;
+};
+
+/// All files that are read are added to `inputs`, unless it is null.
+Request read_request(const Options& options, InputFiles* inputs) {
+  GivenKeywords given;
+  Scene scene = read_scene_file(options.scene_path, print_warning, inputs, &given);
+  const RenderSettings settings = overridden(scene.settings, options.settings);
+  check_caustics(given, settings);
+  warn_of_settings(scene, given, options.settings, print_warning);
+  return {std::move(scene), settings};
+}
+
 int render_command(const Options& options) {
   outlive_readers();
   const std::atomic<bool>& stop = interrupted();
   InputFiles inputs;
-  GivenKeywords given;
-  const Scene scene = read_scene_file(options.scene_path, print_warning, &inputs, &given);
-  check_caustics(given, overridden(scene.settings, options.settings));
-  warn_of_settings(scene, given, options.settings, print_warning);
+  const Request request = read_request(options, &inputs);
+  const Scene& scene = request.scene;
   const Outputs all_outputs = outputs_of(options, scene);
   check_outputs(all_outputs, inputs);
   warn_of_outputs(options, all_outputs, print_warning);
   const std::vector<fs::path>& outputs = all_outputs.images;
-  RenderSettings settings = overridden(scene.settings, options.settings);
+  RenderSettings settings = request.settings;
   check_memory(least_memory_need(settings), options.memory_limit_gib);
   const Workers workers = limit_workers(settings.threads);
   if (workers.allowed < workers.wanted) {
@@ -150,11 +164,8 @@ int render_command(const Options& options) {
 }
 
 int plan_command(const Options& options) {
-  GivenKeywords given;
-  const Scene scene = read_scene_file(options.scene_path, print_warning, nullptr, &given);
-  check_caustics(given, overridden(scene.settings, options.settings));
-  warn_of_settings(scene, given, options.settings, print_warning);
-  print_plan(make_plan(scene, overridden(scene.settings, options.settings)));
+  const Request request = read_request(options, nullptr);
+  print_plan(make_plan(request.scene, request.settings));
   return 0;
 }
 

@@ -11,6 +11,7 @@
 //   environment sky.exr                ! a picture of all directions; or: environment sky.exr D65
 //   0.5 spotlight 2a  0 0 -10  1  0 0 1  2         ! ..., direction, half-angle in degrees
 
+#include "geometry/rays/largest_component.h"
 #include "io/building/check_reach.h"
 #include "io/images/read_environment.h"
 #include "io/scene_language/read_scene_state.h"

@@ -3,6 +3,7 @@
 //   polyhedron planes 4  1 1 1 1  1 -1 -1 1  -1 1 -1 1  -1 -1 1 1   ! n.p <= d
 //   polyhedron vertices 4  0 0 0  1 0 0  0 1 0  0 0 1
 
+#include "geometry/rays/largest_component.h"
 #include "geometry/solids/convex_hull.h"
 #include "io/scene_language/read_scene_state.h"
 

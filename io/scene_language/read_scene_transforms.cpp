@@ -8,6 +8,7 @@
 //     cube
 //   pop
 
+#include "geometry/rays/largest_component.h"
 #include "io/scene_language/read_scene_state.h"
 
 #include <array>

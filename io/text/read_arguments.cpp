@@ -8,14 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace abbe {
-
-double largest_component(const glm::dvec3& vector) {
-  return std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)});
-}
 
 bool Arguments::number_follows() const {
   const Token& token = reader_.peek();

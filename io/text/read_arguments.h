@@ -15,10 +15,6 @@
 
 namespace abbe {
 
-/// The largest magnitude of a component. A vector divided by it has a length that neither overflows
-/// nor vanishes.
-[[nodiscard]] double largest_component(const glm::dvec3& vector);
-
 /// Reads the arguments that follow a keyword. Everything throws ReadError at the wrong token.
 class Arguments {
 public:
