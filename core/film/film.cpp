@@ -77,9 +77,10 @@ void Film::raise_boundary(std::size_t pixel, std::uint32_t boundary) {
     if (layer.form().strata) layer.close_first_stratum(pixel);
 }
 
-void Film::add(const FilmSample& sample, const Xyz& color, std::span<const float> radiance) {
+Film::Place Film::add(const FilmSample& sample, const Xyz& color, std::span<const float> radiance) {
   const Place place = count(sample);
   if (add(*beauty_, place, color) && bands_) add(*bands_, place, radiance);
+  return place;
 }
 
 void Film::add_splat(int x, int y, const Xyz& color, std::span<const float> radiance, double u) {

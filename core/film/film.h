@@ -49,16 +49,18 @@ public:
   Film(PixelWindow window, double quantum, int bands, bool keep_errors = false,
        const BandPlace& place = {});
 
-  /// Adds a sample's beauty. `radiance` holds one value per band when the film keeps bands.
-  /// What a layer refuses adds nothing, though the sample counts; bands come with their colour or
-  /// not at all. Two threads must not add to one pixel at once.
-  void add(const FilmSample& sample, const Xyz& color, std::span<const float> radiance);
-
   /// Where the values of a sample go that has been counted.
   struct Place {
     std::size_t pixel;
     Stratum stratum;
   };
+
+  /// Adds a sample's beauty. `radiance` holds one value per band when the film keeps bands.
+  /// What a layer refuses adds nothing, though the sample counts; bands come with their colour or
+  /// not at all. Two threads must not add to one pixel at once.
+  /// Returns where the sample's values belong in other layers.
+  Place add(const FilmSample& sample, const Xyz& color, std::span<const float> radiance);
+
   /// Counts a sample, which its values need before they can be added to layers one by one.
   Place count(const FilmSample& sample);
   bool add(LayerId layer, const Place& place, const Xyz& color) {
@@ -79,6 +81,10 @@ public:
   /// or down, so that the mean is right for splats that are much smaller than the quantum. The film
   /// must have splats.
   void add_splat(int x, int y, const Xyz& color, std::span<const float> radiance, double u);
+  /// The same in a layer of colours.
+  void splat(LayerId layer, int x, int y, const Xyz& color, double u) {
+    at(layer).splat(window_.index(x, y), color, u, refused_);
+  }
   /// Counts the light paths whose splats were added, in passes; parts of a pass are rounded to
   /// 2^-32.
   void add_light_passes(double passes);

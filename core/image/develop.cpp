@@ -55,6 +55,8 @@ std::vector<float> linear_rgba(const Film& film, const PixelWindow& part, SceneL
 SceneLinearImage develop_scene_linear(const Film& film, const Plan& plan, SceneLinearSpace space) {
   SceneLinearImage image{full_window(plan), film.window(), linear_rgba(film, film.window(), space),
                          render_metadata(plan), space};
+  for (auto& entry : lost_metadata(film))
+    image.metadata.push_back(std::move(entry));
   if (!plan.settings.reports_errors()) return image;
   ImageChannel samples{"samples", {}}, error{"error.Y", {}};
   for_each_pixel(film.window(), [&](int x, int y) {
