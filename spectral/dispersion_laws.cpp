@@ -1,5 +1,7 @@
 #include "spectral/dispersion_laws.h"
 
+#include "spectral/square.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,10 +15,6 @@ constexpr double kThesisFirst_nm = 380.0;
 
 double micrometres(double lambda_nm) {
   return lambda_nm * 1e-3;
-}
-
-double square(double x) {
-  return x * x;
 }
 
 // x^exponent by multiplication: the same bits on every platform, unlike std::pow.

@@ -1,19 +1,13 @@
 #include "bench/measurements/image_error.h"
 
 #include "spectral/color_difference.h"
+#include "spectral/square.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
 namespace abbe::bench {
-namespace {
-
-double square(double v) {
-  return v * v;
-}
-
-} // namespace
 
 double relative_mse(const std::vector<LinearRgb>& image, const std::vector<LinearRgb>& reference) {
   assert(image.size() == reference.size() && !reference.empty());
@@ -71,7 +65,9 @@ double band_noise(const Film& image, const Film& reference) {
 
 std::size_t changed_pixels(const Film& a, const Film& b) {
   const auto differ = [&](int x, int y) {
-    if (a.color(x, y) != b.color(x, y) || a.alpha(x, y) != b.alpha(x, y)) return true;
+    if (a.color(x, y) != b.color(x, y) || a.alpha(x, y) != b.alpha(x, y) ||
+        a.covered_samples(x, y) != b.covered_samples(x, y))
+      return true;
     for (int band = 0; band < a.bands(); ++band)
       if (a.radiance(x, y, band) != b.radiance(x, y, band)) return true;
     return false;

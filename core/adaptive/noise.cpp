@@ -1,17 +1,12 @@
 #include "core/adaptive/noise.h"
 
+#include "spectral/square.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace abbe {
-namespace {
-
-double square(double v) {
-  return v * v;
-}
-
-} // namespace
 
 double relative_error(const Film& film, const PixelWindow& part) {
   const double values = 3.0 * static_cast<double>(part.pixel_count());

@@ -18,7 +18,8 @@ public:
   explicit SampleSchedule(const RenderSettings& settings);
 
   /// Where the round that begins after `done` samples ends. With adaptive sampling the first round
-  /// goes to all pixels alike, and rounds end after 2, 3, 4, 6, 8 ... samples. Else there is one.
+  /// gives all pixels the same, and the second gives the rest; only with a time limit there are
+  /// more of these, so that a picture may be whole at any time. Without there is one round.
   [[nodiscard]] int end_of_round(int done) const;
   /// Where the pass that begins after `done` samples ends, in a round that ends at `round_end`.
   [[nodiscard]] int end_of_pass(int done, int round_end) const;
@@ -27,13 +28,16 @@ public:
   /// For how many samples light paths are followed before a pass that begins after `done` samples
   /// and ends at `pass_end`.
   [[nodiscard]] int end_of_light_pass(int done, int pass_end) const;
-  /// True where tiles may be done: at 16, 24, 32, 48 ... samples. Asked more often, more tiles
-  /// would end by luck; docs/decisions/noise.md has figures.
+  /// True where tiles may be done: at 64, 96, 128, 192 ... samples. With an earlier first look or
+  /// more looks more tiles would end by luck; docs/decisions/noise.md has figures.
   [[nodiscard]] bool may_end(int samples) const;
 
 private:
   /// Time that is running out must leave a whole picture, so the first passes are then short.
   [[nodiscard]] bool in_hurry(int done) const;
+
+  /// The end of the first round of adaptive sampling.
+  [[nodiscard]] int first_round() const;
 
   int most_;
   bool adaptive_, timed_;

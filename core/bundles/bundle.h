@@ -6,20 +6,40 @@
 #include "geometry/rays/ray_state.h"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace abbe {
+
+/// How a camera path has come to its ray. Only what shows *through* the scene belongs to the
+/// picture behind it; see core/integrators/sky_view.h. Panes and drops on the way change nothing.
+enum class Route : std::uint8_t {
+  direct,    ///< no surface has turned it
+  reflected, ///< surfaces that also let light through have reflected it, and none has let it
+             ///< through
+  through,   ///< some surface has let it through, and all that reflected it let light through too
+  opaque     ///< a surface that lets no light through has sent it on
+};
+[[nodiscard]] constexpr Route let_through(Route route) {
+  return route == Route::opaque ? Route::opaque : Route::through;
+}
+/// `clear`: the surface also lets light through.
+[[nodiscard]] constexpr Route sent_back(Route route, bool clear) {
+  if (!clear) return Route::opaque;
+  return route == Route::direct ? Route::reflected : route;
+}
 
 /// A contiguous range of bands that share one ray. Its throughput per band lies beside it.
 struct Bundle {
   BandRange bands;
   RayState state;
   RayKind kind = RayKind::camera; ///< what sent the ray
-  bool traced = false;            ///< whether `hit` is known already, see extend.h
-  Hit hit;                        ///< what the ray meets next
-  bool straight_on = false;       ///< the ray goes on behind a boundary that bends no light
-  Passage passage;                ///< what the ray must remember of such boundaries
-  int depth = 0;                  ///< how many surfaces the path has met so far
-  int panes = 0;                  ///< how many panes it went straight through, which do not count
+  Route route = Route::direct;
+  bool traced = false;      ///< whether `hit` is known already, see extend.h
+  Hit hit;                  ///< what the ray meets next
+  bool straight_on = false; ///< the ray goes on behind a boundary that bends no light
+  Passage passage;          ///< what the ray must remember of such boundaries
+  int depth = 0;            ///< how many surfaces the path has met so far
+  int panes = 0;            ///< how many panes it went straight through, which do not count
   /// How many surfaces it has met, panes too.
   [[nodiscard]] int surfaces() const { return depth + panes; }
   double path_length = 0.0; ///< from the camera to the ray's origin
@@ -44,7 +64,8 @@ struct Bundle {
 
 /// Makes `next`, which may be `bundle` itself, set off from its hit along a direction, untraced.
 /// `through` tells whether it goes to the other side of the surface. Its bands are the caller's,
-/// and so is its pdf where the direction is not specular.
+/// and so are its pdf where the direction is not specular, and its route where the surface lets no
+/// light through.
 inline void set_off(const Bundle& bundle, const dvec3& direction, bool through, RayKind kind,
                     Bundle& next) {
   const Hit& hit = bundle.hit;
@@ -53,6 +74,7 @@ inline void set_off(const Bundle& bundle, const dvec3& direction, bool through, 
   next.path_length = bundle.path_length + hit.t;
   next.unseen_length = 0.0;
   next.pdf = 0.0;
+  next.route = through ? let_through(bundle.route) : sent_back(bundle.route, true);
   next.depth = bundle.depth + 1;
   next.panes = bundle.panes;
   next.nonspecular_bounces = bundle.nonspecular_bounces;
@@ -87,6 +109,7 @@ struct CameraPaths {
     bundle.bands = bundles[i].bands;
     bundle.state = states[i];
     bundle.kind = RayKind::camera;
+    bundle.route = Route::direct;
     bundle.traced = true;
     bundle.straight_on = false;
     bundle.hit = hits[i];

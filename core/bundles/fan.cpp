@@ -266,6 +266,7 @@ void go_on_as(const FanCell& cell, const Bundle& bundle, Bundle& next) {
   next.path_length = bundle.path_length + bundle.hit.t;
   next.state = *cell.state;
   next.kind = RayKind::refracted;
+  next.route = let_through(bundle.route);
   next.traced = cell.hit != nullptr;
   next.straight_on = false;
   next.depth = bundle.depth + 1;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bundles/ray_record.h"
+#include "geometry/rays/finite_ray.h"
 
 #include <cstdint>
 #include <span>
@@ -11,8 +12,9 @@ namespace abbe {
 struct RayCounts {
   std::uint64_t camera = 0, reflected = 0, refracted = 0, scattered = 0, shadow = 0, light = 0;
   std::uint64_t splats = 0,
-                photons = 0;   ///< what was added to the film, and kept for the photon map
-  RayRecord* record = nullptr; ///< keeps the rays themselves, where somebody wants to know them
+                photons = 0;    ///< what was added to the film, and kept for the photon map
+  std::uint64_t not_finite = 0; ///< of the rays above: not traced, they meet nothing
+  RayRecord* record = nullptr;  ///< keeps the rays themselves, where somebody wants to know them
 
   /// The number of all rays.
   [[nodiscard]] std::uint64_t total() const {
@@ -38,6 +40,8 @@ struct RayCounts {
   /// Counts rays that look for the nearest surface.
   void add(RayKind kind, std::span<const RayState> rays) {
     of(kind) += rays.size();
+    for (const RayState& state : rays)
+      not_finite += is_finite(state.ray) ? 0 : 1;
     if (!record) return;
     for (const RayState& ray : rays)
       record->add(kind, ray, kInfinity, false);
@@ -46,6 +50,7 @@ struct RayCounts {
   /// Counts a ray that asks whether anything lies nearer than `distance`.
   void add_any_hit(RayKind kind, const RayState& ray, double distance) {
     ++of(kind);
+    not_finite += is_finite(ray.ray) ? 0 : 1;
     if (record) record->add(kind, ray, distance, true);
   }
   RayCounts& operator+=(const RayCounts& other) {
@@ -57,6 +62,7 @@ struct RayCounts {
     light += other.light;
     splats += other.splats;
     photons += other.photons;
+    not_finite += other.not_finite;
     return *this;
   }
 };

@@ -13,6 +13,7 @@ namespace abbe {
 namespace {
 
 constexpr double kLightPassParts = 0x1p32;
+constexpr double kShareQuantum = 0x1p-32;
 
 std::vector<Layer> make_layers(std::vector<LayerForm> forms, std::size_t pixels,
                                const BandPlace& place) {
@@ -39,17 +40,31 @@ std::vector<LayerForm> beauty_layers(const BeautyForm& form) {
   beauty.strata = form.errors;
 
   std::vector<LayerForm> layers{beauty};
+  if (form.evidence) {
+    layers.push_back(beauty);
+    layers.back().name = kEvidence;
+    layers.back().strata = true;
+  }
   if (form.bands > 0) layers.push_back(bands);
   if (form.splats) layers.push_back(splats);
   if (form.splats && form.bands > 0) layers.push_back(band_splats);
   return layers;
 }
 
+LayerForm transparency_layer() {
+  return {kTransparency, LayerKind::value, kShareQuantum, 0};
+}
+
+LayerForm transmittance_layer() {
+  return {kTransmittance, LayerKind::xyz, kShareQuantum, 0};
+}
+
 Film::Film(PixelWindow window, std::vector<LayerForm> layers, const BandPlace& place)
     : window_(window), layers_(make_layers(std::move(layers), window.pixel_count(), place)),
       beauty_(find(kBeauty)), bands_(find(kBands)), splats_(find(kSplats)),
-      band_splats_(find(kBandSplats)), counts_(window.pixel_count()),
-      covered_(window.pixel_count()), strata_(has_strata(layers_) ? window.pixel_count() : 0) {
+      band_splats_(find(kBandSplats)), transparency_(find(kTransparency)),
+      counts_(window.pixel_count()), covered_(window.pixel_count()),
+      strata_(has_strata(layers_) ? window.pixel_count() : 0) {
   assert(layers_.size() <= std::numeric_limits<std::uint8_t>::max());
 }
 
@@ -158,8 +173,8 @@ double Film::radiance(int x, int y, int band) const {
 }
 
 double Film::alpha(int x, int y) const {
-  const std::uint32_t n = samples(x, y);
-  return n > 0 ? static_cast<double>(covered_samples(x, y)) / n : 0.0;
+  if (samples(x, y) == 0) return 0.0;
+  return transparency_ ? 1.0 - mean(*transparency_, x, y) : 1.0;
 }
 
 Xyz Film::error(int x, int y) const {
@@ -167,16 +182,16 @@ Xyz Film::error(int x, int y) const {
   return {std::abs(e.x), std::abs(e.y), std::abs(e.z)};
 }
 
-Xyz Film::signed_error(int x, int y) const {
+Xyz Film::signed_error(LayerId id, int x, int y) const {
   const std::size_t pixel = window_.index(x, y);
-  const Layer& beauty = layer(*beauty_);
+  const Layer& colors = layer(id);
   const double n = counts_[pixel], a = strata_[pixel].first, b = n - a;
   constexpr double unknown = std::numeric_limits<double>::infinity();
   if (a == 0.0 || b == 0.0) return {unknown, unknown, unknown};
-  const double scale = std::sqrt(a * b) / n * beauty.form().quantum;
+  const double scale = std::sqrt(a * b) / n * colors.form().quantum;
   const auto error = [&](std::size_t i) {
-    const auto first = static_cast<double>(beauty.first_sum(pixel, i));
-    const auto second = static_cast<double>(beauty.sum(pixel, i) - beauty.first_sum(pixel, i));
+    const auto first = static_cast<double>(colors.first_sum(pixel, i));
+    const auto second = static_cast<double>(colors.sum(pixel, i) - colors.first_sum(pixel, i));
     return scale * (first / a - second / b);
   };
   return {error(0), error(1), error(2)};

@@ -27,15 +27,27 @@ enum class LayerId : std::uint8_t {};
 /// bands where these are kept, and the splats of light paths, which have a count of their own.
 struct BeautyForm {
   double quantum = 1.0;
-  int bands = 0;       ///< 0 for colours alone, else the number of bands that are kept too
-  bool errors = false; ///< the film keeps what `error` needs
-  bool splats = false; ///< light paths add to the film
+  int bands = 0;         ///< 0 for colours alone, else the number of bands that are kept too
+  bool errors = false;   ///< the film keeps what `error` needs
+  bool splats = false;   ///< light paths add to the film
+  bool evidence = false; ///< what decides where samples go is not the beauty itself
 };
 [[nodiscard]] std::vector<LayerForm> beauty_layers(const BeautyForm& form);
 inline constexpr const char* kBeauty = "beauty";
+/// The colours of camera samples without what photon maps bring, with strata. Photon maps are
+/// shared by pixels, and what samples share may not decide on their number.
+inline constexpr const char* kEvidence = "evidence";
 inline constexpr const char* kBands = "bands";
 inline constexpr const char* kSplats = "beauty.splats";
 inline constexpr const char* kBandSplats = "bands.splats";
+
+/// The share of the light behind the scene that shows in the picture, in luminance, and as a
+/// colour: that of D65 of Y = 1 when it has passed through the scene.
+inline constexpr const char* kTransparency = "transparency";
+inline constexpr const char* kTransmittance = "transmittance";
+/// A layer of one of these names. Sums have room for 2^31 samples on which nothing is lost.
+[[nodiscard]] LayerForm transparency_layer();
+[[nodiscard]] LayerForm transmittance_layer();
 
 /// Named sums of what the samples of each pixel bring. All sums and counts are integers, and where
 /// a sample belongs follows from its index, so a film does not depend on the order in which samples
@@ -57,8 +69,8 @@ public:
 
   /// Adds a sample's beauty. `radiance` holds one value per band when the film keeps bands.
   /// What a layer refuses adds nothing, though the sample counts; bands come with their colour or
-  /// not at all. Two threads must not add to one pixel at once.
-  /// Returns where the sample's values belong in other layers.
+  /// not at all. Two threads must not add to one pixel at once. The place is where the sample's
+  /// values for other layers go.
   Place add(const FilmSample& sample, const Xyz& color, std::span<const float> radiance);
 
   /// Counts a sample, which its values need before they can be added to layers one by one.
@@ -113,6 +125,9 @@ public:
   // The beauty: means over the samples of a pixel, and splats over the light passes.
   [[nodiscard]] int bands() const;
   [[nodiscard]] Xyz color(int x, int y) const;
+  /// 1 less the mean of `kTransparency`; 1 where the film has no such layer, and 0 of a pixel that
+  /// has no sample. It is not clamped: below 0 it tells that single samples stood for more than
+  /// one.
   [[nodiscard]] double alpha(int x, int y) const;
   [[nodiscard]] double radiance(int x, int y, int band) const;
   [[nodiscard]] bool keeps_errors() const { return !strata_.empty(); }
@@ -123,7 +138,9 @@ public:
   [[nodiscard]] Xyz error(int x, int y) const;
   /// The same with the sign of A - B, so that it is linear in the samples: its linear R, G, B are
   /// those of the pixel's error.
-  [[nodiscard]] Xyz signed_error(int x, int y) const;
+  [[nodiscard]] Xyz signed_error(int x, int y) const { return signed_error(*beauty_, x, y); }
+  /// The same of any layer of colours with strata.
+  [[nodiscard]] Xyz signed_error(LayerId id, int x, int y) const;
 
 private:
   friend void merge(Film& film, const Film& other);
@@ -139,7 +156,7 @@ private:
 
   PixelWindow window_;
   std::vector<Layer> layers_;
-  std::optional<LayerId> beauty_, bands_, splats_, band_splats_;
+  std::optional<LayerId> beauty_, bands_, splats_, band_splats_, transparency_;
   std::vector<std::uint32_t> counts_;  ///< samples per pixel
   std::vector<std::uint32_t> covered_; ///< of these, those that met a surface
   std::vector<PixelStrata> strata_;    ///< per pixel; empty where no layer has strata

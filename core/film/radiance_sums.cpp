@@ -1,5 +1,7 @@
 #include "core/film/radiance_sums.h"
 
+#include "core/bands/band_math.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -26,41 +28,81 @@ double dot(const double* sums, const float* weights, std::size_t count) {
 
 } // namespace
 
-RadianceSums::RadianceSums(const Plan& plan)
-    : plan_(plan), sums_(plan.accumulators.size() * plan.stride), radiance_(plan.stride) {}
+RadianceSums::RadianceSums(const Plan& plan, bool apart)
+    : plan_(plan), mapped_(apart ? plan.accumulators.size() : 0),
+      sums_((mapped_ + plan.accumulators.size()) * plan.stride), radiance_(plan.stride) {}
 
 void RadianceSums::clear() {
-  for (std::size_t i = 0; i < plan_.accumulators.size(); ++i)
-    std::fill(sums(static_cast<int>(i)) + used_.first, sums(static_cast<int>(i)) + used_.last, 0.0);
+  const std::size_t count = sums_.size() / plan_.stride;
+  for (std::size_t i = 0; i < count; ++i)
+    std::fill(sums(i) + used_.first, sums(i) + used_.last, 0.0);
   used_ = {};
+  transparency_ = 0.0;
+  transmittance_ = {0.0, 0.0, 0.0};
 }
 
 void RadianceSums::add(int source, BandSpan<const float> throughput, const BandTable& reflectance,
                        float factor) {
   const SourcePlan& s = plan_.sources[static_cast<std::size_t>(source)];
-  if (s.factor.zero()) return;
+  add_to(sums(static_cast<std::size_t>(s.accumulator)), s.factor, throughput, reflectance, factor);
+}
+
+void RadianceSums::add_mapped(int source, BandSpan<const float> throughput,
+                              const BandTable& reflectance, float factor) {
+  const SourcePlan& s = plan_.sources[static_cast<std::size_t>(source)];
+  add_to(sums(mapped_ + static_cast<std::size_t>(s.accumulator)), s.factor, throughput, reflectance,
+         factor);
+}
+
+void RadianceSums::add_to(double* sum, const BandTable& light, BandSpan<const float> throughput,
+                          const BandTable& reflectance, float factor) {
+  if (light.zero()) return;
   const auto [first, last] = throughput.bands;
   used_ = used_.empty() ? BandRange{first, last}
                         : BandRange{std::min(used_.first, first), std::max(used_.last, last)};
-  double* sum = sums(s.accumulator);
-  const auto light = s.factor.constant(), part = reflectance.constant();
-  if (light && part) {
-    const float product = *light * *part * factor;
+  const auto constant = light.constant(), part = reflectance.constant();
+  if (constant && part) {
+    const float product = *constant * *part * factor;
     for (int b = first; b < last; ++b)
       sum[b] += static_cast<double>(throughput[b] * product);
   } else {
     for (int b = first; b < last; ++b)
-      sum[b] += static_cast<double>(throughput[b] * (s.factor[b] * reflectance[b] * factor));
+      sum[b] += static_cast<double>(throughput[b] * (light[b] * reflectance[b] * factor));
   }
 }
 
+void RadianceSums::let_through(BandSpan<const float> throughput, bool alpha) {
+  const SkyPlan& sky = plan_.sky;
+  const auto sum = [&](const std::vector<float>& weights) {
+    return static_cast<double>(weighted_sum(throughput.data, weights.data(), throughput.bands.first,
+                                            throughput.bands.last));
+  };
+  const double y = sum(sky.y);
+  if (alpha && y != 0.0) transparency_ += y / sky.clear.y;
+  if (!sky.tints || y == 0.0) return;
+  static const Xyz white = to_xyz(kSrgbWhite, 1.0);
+  const auto part = [&](const std::vector<float>& weights, double clear) {
+    return clear > 0.0 ? sum(weights) / clear : y / sky.clear.y;
+  };
+  transmittance_ +=
+      {white.x * part(sky.x, sky.clear.x), y / sky.clear.y, white.z * part(sky.z, sky.clear.z)};
+}
+
 Xyz RadianceSums::color() const {
+  return mapped_ == 0 ? color_from(0) : color_from(0) + color_from(mapped_);
+}
+
+Xyz RadianceSums::own_color() const {
+  return color_from(0);
+}
+
+Xyz RadianceSums::color_from(std::size_t accumulator) const {
   Xyz color{0.0, 0.0, 0.0};
   const int begin = used_.first & -kLanes; // a band's lane does not depend on which are used
   const auto count = static_cast<std::size_t>(used_.last - begin);
   for (std::size_t i = 0; i < plan_.accumulators.size(); ++i) {
     const AccumulatorPlan& weights = plan_.accumulators[i];
-    const double* sum = sums_.data() + i * plan_.stride + begin;
+    const double* sum = sums_.data() + (accumulator + i) * plan_.stride + begin;
     color.x += dot(sum, weights.x.data() + begin, count);
     color.y += dot(sum, weights.y.data() + begin, count);
     color.z += dot(sum, weights.z.data() + begin, count);
@@ -73,8 +115,10 @@ std::span<const float> RadianceSums::radiance() {
   for (std::size_t b = 0; b < bands; ++b) {
     double mean = 0.0;
     for (std::size_t i = 0; i < plan_.accumulators.size(); ++i)
-      mean += sums_[i * plan_.stride + b] *
-              static_cast<double>(plan_.accumulators[i].radiance[static_cast<int>(b)]);
+      mean +=
+          (mapped_ == 0 ? sums_[i * plan_.stride + b]
+                        : sums_[i * plan_.stride + b] + sums_[(mapped_ + i) * plan_.stride + b]) *
+          static_cast<double>(plan_.accumulators[i].radiance[static_cast<int>(b)]);
     radiance_[b] = static_cast<float>(mean);
   }
   return {radiance_.data(), bands};

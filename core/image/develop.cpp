@@ -3,6 +3,9 @@
 #include "core/image/metadata.h"
 #include "spectral/adaptation.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <utility>
 
 namespace abbe {
@@ -42,12 +45,29 @@ std::vector<float> linear_rgba(const Film& film, const PixelWindow& part, SceneL
   std::vector<float> rgba;
   rgba.reserve(4 * part.pixel_count());
   for_each_pixel(part, [&](int x, int y) {
-    const Xyz xyz = film.color(x, y);
+    // A pixel that was not reached has no picture, though light paths may have come to it.
+    const Xyz xyz = film.samples(x, y) > 0 ? film.color(x, y) : Xyz{0.0, 0.0, 0.0};
     const Vector3 c = multiply(to_rgb, Vector3{xyz.x, xyz.y, xyz.z});
     for (const double v : {c[0], c[1], c[2], film.alpha(x, y)})
       rgba.push_back(static_cast<float>(v));
   });
   return rgba;
+}
+
+/// The layer of what passes through the scene, as channels in the picture's space.
+std::vector<ImageChannel> transmittance_channels(const Film& film, LayerId layer,
+                                                 SceneLinearSpace space) {
+  const Matrix3 to_rgb = matrix_to(space);
+  std::vector<ImageChannel> channels;
+  for (const char* name : {"R", "G", "B"})
+    channels.push_back({fmt::format("{}.{}", kTransmittance, name), {}});
+  for_each_pixel(film.window(), [&](int x, int y) {
+    const Vector3 c = multiply(to_rgb, Vector3{film.mean(layer, x, y, 0), film.mean(layer, x, y, 1),
+                                               film.mean(layer, x, y, 2)});
+    for (std::size_t i = 0; i < channels.size(); ++i)
+      channels[i].values.push_back(static_cast<float>(c[i]));
+  });
+  return channels;
 }
 
 } // namespace
@@ -57,13 +77,17 @@ SceneLinearImage develop_scene_linear(const Film& film, const Plan& plan, SceneL
                          render_metadata(plan), space};
   for (auto& entry : lost_metadata(film))
     image.metadata.push_back(std::move(entry));
+  if (const auto layer = film.find(kTransmittance))
+    image.channels = transmittance_channels(film, *layer, space);
   if (!plan.settings.reports_errors()) return image;
   ImageChannel samples{"samples", {}}, error{"error.Y", {}};
   for_each_pixel(film.window(), [&](int x, int y) {
     samples.values.push_back(static_cast<float>(film.samples(x, y)));
-    error.values.push_back(static_cast<float>(film.error(x, y).y));
+    const double e = film.error(x, y).y; // infinite where it is unknown
+    error.values.push_back(std::isfinite(e) ? static_cast<float>(e) : 0.0f);
   });
-  image.channels = {std::move(samples), std::move(error)};
+  image.channels.push_back(std::move(samples));
+  image.channels.push_back(std::move(error));
   return image;
 }
 

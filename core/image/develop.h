@@ -8,7 +8,8 @@
 namespace abbe {
 
 /// Settings that report errors add two channels: `samples`, how many a pixel has, and `error.Y`,
-/// the standard error of its luminance as `Film::error` estimates it.
+/// the standard error of its luminance as `Film::error` estimates it, 0 where `samples` is less
+/// than two and nothing is known.
 [[nodiscard]] SceneLinearImage
 develop_scene_linear(const Film& film, const Plan& plan,
                      SceneLinearSpace space = SceneLinearSpace::rec709);

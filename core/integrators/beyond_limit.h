@@ -4,7 +4,14 @@
 #include "core/film/radiance_sums.h"
 #include "core/sampling/sampler.h"
 
+#include <limits>
+
 namespace abbe {
+
+/// How often a path may be reflected or refracted.
+[[nodiscard]] inline int depth_limit(const RenderSettings& settings) {
+  return settings.max_depth < kNoDepthLimit ? settings.max_depth : std::numeric_limits<int>::max();
+}
 
 /// What a limit of depth takes from the image, estimated. One in `kOneIn` of the paths that the
 /// limit ends is followed on, and what it brings stands for all of them. Nothing of it reaches the
@@ -12,10 +19,10 @@ namespace abbe {
 struct BeyondLimit {
   static constexpr double kOneIn = 64.0;
 
-  explicit BeyondLimit(const Plan& plan) : limit(plan.settings.max_depth), sums(plan) {}
+  explicit BeyondLimit(const Plan& plan) : limit(depth_limit(plan.settings)), sums(plan) {}
 
   void begin_path(const Sampler& sampler) {
-    if (limit == kNoDepthLimit) return;
+    if (limit == std::numeric_limits<int>::max()) return;
     sums.clear();
     decisions = sampler.decisions(1);
   }

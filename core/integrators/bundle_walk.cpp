@@ -41,9 +41,10 @@ dvec3 BundleWalk::reflected_direction() const {
   return reflected(bundle().state.ray.direction, hit.entering ? hit.normal : -hit.normal);
 }
 
-void BundleWalk::branch_off_reflection(const float* factors, double weight) {
+Bundle& BundleWalk::branch_off_reflection(const float* factors, double weight) {
   Bundle& next = branch_off(bundle().bands, factors, weight);
   set_off(bundle(), reflected_direction(), false, RayKind::reflected, next);
+  return next;
 }
 
 void BundleWalk::branch_off_refraction(BandRange run, double importance) {

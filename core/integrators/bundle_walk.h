@@ -45,8 +45,9 @@ protected:
   /// A new bundle of these bands that waits; its throughput is the current one times factors per
   /// band and a weight. All but its bands is the caller's to fill.
   [[nodiscard]] Bundle& branch_off(BandRange bands, const float* factors, double weight);
-  /// The same, along the reflected ray of the current bundle's hit.
-  void branch_off_reflection(const float* factors, double weight);
+  /// The same, along the reflected ray of the current bundle's hit. Its route is that of a surface
+  /// that also lets light through.
+  Bundle& branch_off_reflection(const float* factors, double weight);
   /// Sub-bundles that are refracted at the current bundle's hit wait; the current throughput is
   /// already what passes. Bands of `run` have some; `importance` is what they bring to the image.
   void branch_off_refraction(BandRange run, double importance);

@@ -47,7 +47,7 @@ LightPasses::LightPasses(const Scene& scene, const Plan& plan, const World& worl
 
 LightPasses::Paths LightPasses::paths_of(SampleRange samples) const {
   const double wanted = plan_.settings.light_paths * (samples.last - samples.first) *
-                        static_cast<double>(plan_.window.pixel_count());
+                        plan_.settings.width * plan_.settings.height; // a crop sees them too
   const auto count = static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 0x1p30));
   Paths paths{emission_.shares(count), emission_.shares(std::min(count, kMostMapped)), {}};
   for (std::size_t e = 0; e < paths.shares.size(); ++e)

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace abbe {
 namespace {
@@ -40,7 +41,8 @@ LightPaths::LightPaths(const Plan& plan, const World& world, const Emission& emi
                        const PlacedCamera* camera, Film& film)
     : RandomWalk(plan, world, camera ? camera->pixel_angle() : 0.0, Transport::flux),
       emission_(emission), camera_(camera), film_(film), lost_splats_(film.find(kLostSplats)),
-      to_camera_(plan, world), sums_(plan), light_(plan.stride) {}
+      to_camera_(plan, world), sums_(plan), light_(plan.stride),
+      limit_(depth_limit(plan.settings)) {}
 
 void LightPaths::trace(const EmittedRay& ray, const Sampler& sampler, double share,
                        PhotonBatch* photons, double photon_share, RayCounts& counts) {
@@ -51,7 +53,7 @@ void LightPaths::trace(const EmittedRay& ray, const Sampler& sampler, double sha
   photons_ = photons;
   photon_share_ = photon_share;
   // One number decides for all of its branches.
-  goes_beyond_ = plan_.settings.max_depth < kNoDepthLimit &&
+  goes_beyond_ = limit_ < std::numeric_limits<int>::max() &&
                  sampler.decisions(1).next() * BeyondLimit::kOneIn < 1.0;
   if (!start(ray)) return;
   wait();
@@ -192,6 +194,7 @@ void LightPaths::keep(const Hit& hit) {
   photon.position = hit.point;
   photon.direction = bundle().state.ray.direction;
   photon.normal = hit.entering ? hit.normal : -hit.normal;
+  photon.shape = hit.shape;
   photon.source = source_;
   photon.depth = bundle().depth;
   photon.beyond_limit = beyond_limit();

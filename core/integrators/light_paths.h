@@ -33,7 +33,7 @@ private:
   bool arrive();
   /// Leaves the traced bundle's light where it has arrived. What goes on from there waits.
   void shade();
-  [[nodiscard]] bool beyond_limit() const { return bundle().depth >= plan_.settings.max_depth; }
+  [[nodiscard]] bool beyond_limit() const { return bundle().depth >= limit_; }
   void splat(const Hit& hit);
   void keep(const Hit& hit);
   void branch_off_to_specular(const Hit& hit);
@@ -48,6 +48,7 @@ private:
   int source_ = 0;
   double flux_ = 0.0, share_ = 0.0, photon_share_ = 0.0;
   PhotonBatch* photons_ = nullptr;
+  int limit_;                ///< of depth
   bool goes_beyond_ = false; ///< whether the path goes on where the depth limit ends it
 };
 

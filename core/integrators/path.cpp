@@ -19,8 +19,8 @@ Path::Path(const Plan& plan, const World& world, const Lights& lights,
       lights_(lights), photons_(light_passes ? &light_passes->map() : nullptr),
       emission_(light_passes ? &light_passes->emission() : nullptr),
       found_otherwise_(light_passes || plan.settings.shadows == ShadowRule::attenuated),
-      shadow_rays_(plan, world), single_scatter_(lights, plan, world), light_(plan.stride),
-      kept_(plan.stride) {}
+      shadow_rays_(plan, world), single_scatter_(lights, plan, world), sky_(plan, lights),
+      light_(plan.stride), kept_(plan.stride) {}
 
 /// Does a step of a path beyond the depth limit: with its own counts and sums.
 template <class Step>
@@ -42,6 +42,7 @@ bool Path::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums&
   sums_ = &sums;
   for (std::size_t i = 0; i < start.count; ++i) {
     start.begin(i, bundle());
+    sky_.begin_path(bundle().state.ray.direction);
     const BandSpan<float> row = throughput();
     for (int b = row.bands.first; b < row.bands.last; ++b)
       row[b] = plan_.live[static_cast<std::size_t>(b)] * start.bundles[i].weight;
@@ -96,7 +97,7 @@ void Path::look_through() {
 void Path::gather() {
   if (!bundle().hit.met()) {
     const bool suns = !comes_by_mirrors_and_glass() || !found_otherwise_;
-    lights_.add_sky(bundle().state.ray.direction, bundle().pdf, suns, throughput(), *sums_);
+    sky_.add(bundle(), suns, throughput(), *sums_);
     return;
   }
   const Hit& hit = bundle().hit;
@@ -170,7 +171,7 @@ Scattering::Choice Path::branch() {
   const auto [reflect_chance, on] = scattering_.branch(u, eagerness);
   if (reflect_chance == 0.0) return on;
   if (on.kind == ScatterKind::none) return {ScatterKind::reflect, reflect_chance};
-  branch_off_reflection(scattering_.reflected(), 1.0 / reflect_chance);
+  branch_off_reflection(scattering_.reflected(), 1.0 / reflect_chance).route = route_on(false);
   return on;
 }
 
@@ -183,11 +184,12 @@ void Path::sample_light(const Hit& hit) {
   if (!(pdf > 0.0)) return;
   const bool outwards = glm::dot(sample->direction, hit.normal) > 0.0;
   const bool through = outwards != hit.entering;
+  if (sky_.leaves_out(route_on(through), *sample)) return;
   const RayState towards_light{{hit.point, sample->direction},
                                through ? hit.other_side : hit.same_side,
                                through ? hit.nesting_after : hit.nesting_before};
-  const float* arriving = shadow_rays_.transmittance(towards_light, sample->distance, light.bands,
-                                                     wavelengths_, *counts_);
+  const float* arriving =
+      shadow_rays_.transmittance(towards_light, *sample, light.bands, wavelengths_, *counts_);
   if (!arriving) return;
   double weight = sample->weight;
   if (shadow_rays_.through_glass()) {
@@ -220,8 +222,8 @@ void Path::look_up_photons(const Hit& hit) {
             bundle().depth + 1 + photon.depth > beyond_.limit && sums_ != &beyond_.sums;
         RadianceSums& sums = ends ? beyond_.sums : *sums_;
         const double share = ends ? 1.0 / BeyondLimit::kOneIn : 1.0;
-        sums.add(photon.source, light, ones_,
-                 static_cast<float>(share * photons_->density_factor() / cosine));
+        sums.add_mapped(photon.source, light, ones_,
+                        static_cast<float>(share * photons_->density_factor() / cosine));
       });
 }
 

@@ -5,6 +5,7 @@
 #include "core/integrators/random_walk.h"
 #include "core/integrators/shadow.h"
 #include "core/integrators/single_scatter.h"
+#include "core/integrators/sky_view.h"
 #include "core/lights/lights.h"
 
 #include <vector>
@@ -55,6 +56,7 @@ private:
   bool found_otherwise_; ///< whether light paths or shadow rays find light by mirrors and glass
   ShadowRays shadow_rays_;
   SingleScatter single_scatter_;
+  SkyView sky_;
   RadianceSums* sums_ = nullptr;
   std::vector<float> light_; ///< scratch: what one source gives
   std::vector<float> kept_;  ///< scratch: a throughput that is needed again

@@ -3,6 +3,7 @@
 #include "core/bands/band_span.h"
 #include "geometry/rays/ray_state.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -18,6 +19,7 @@ struct Photon {
   dvec3 direction{0.0}; ///< of travel, unit
   dvec3 normal{0.0};    ///< unit, on the side that the light comes from
   BandRange bands;
+  ShapeId shape;  ///< where it has landed
   int source = 0; ///< index into Plan::sources, whose spectrum the flux multiplies
   int depth = 0;  ///< how many surfaces its light has met before
   /// It has met as many as the depth limit allows: it counts in what the limit takes alone.
@@ -51,7 +53,9 @@ public:
   [[nodiscard]] double density_factor() const { return density_factor_; }
 
   /// Calls `visit(photon, flux)` for the photons on the same side of the same surface within the
-  /// radius, or on both its sides; flux[0] belongs to band photon.bands.first.
+  /// radius, or on both its sides; flux[0] belongs to band photon.bands.first. A surface goes on in
+  /// its plane, whatever shape holds the rest, and with one shape where that turns; what lies above
+  /// it or below is another one (docs/decisions/caustics.md).
   template <class Visit>
   void for_each_near(const Hit& hit, bool both_sides, Visit&& visit) const;
 
@@ -71,8 +75,9 @@ private:
 template <class Visit>
 void PhotonMap::for_each_near(const Hit& hit, bool both_sides, Visit&& visit) const {
   if (photons_.empty()) return;
-  // A curved surface leaves its tangent plane; another one in front of it is farther off.
-  constexpr double kFlatness = 0.25, kLikeNormals = 0.8;
+  // A plane is as thick as files round their numbers: sheets are farther apart.
+  const double thickness = radius_ * 0x1p-10;
+  constexpr double kLikeNormals = 0.8;
   const dvec3 normal = hit.entering ? hit.normal : -hit.normal;
   Cells cells;
   const std::size_t count = cells_near(hit.point, cells);
@@ -80,10 +85,18 @@ void PhotonMap::for_each_near(const Hit& hit, bool both_sides, Visit&& visit) co
     for (std::uint32_t i = begins_[cells[c]]; i < begins_[cells[c] + 1]; ++i) {
       const Photon& photon = photons_[i];
       const dvec3 offset = photon.position - hit.point;
-      if (glm::dot(offset, offset) >= radius_ * radius_) continue;
-      if (std::abs(glm::dot(offset, normal)) > kFlatness * radius_) continue;
+      const double distance2 = glm::dot(offset, offset);
+      if (distance2 >= radius_ * radius_) continue;
       const double likeness = glm::dot(photon.normal, normal);
       if ((both_sides ? std::abs(likeness) : likeness) < kLikeNormals) continue;
+      const double off_plane =
+          std::max(std::abs(glm::dot(offset, normal)), std::abs(glm::dot(offset, photon.normal)));
+      if (off_plane > thickness) {
+        // Where one surface turns by an angle between two places, neither is farther from the
+        // other's plane than the chord times that angle.
+        const double turn2 = 2.0 - 2.0 * std::abs(likeness);
+        if (photon.shape != hit.shape || off_plane * off_plane > distance2 * turn2) continue;
+      }
       visit(photon, flux_.data() + photon.flux);
     }
 }

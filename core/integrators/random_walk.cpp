@@ -54,7 +54,9 @@ bool RandomWalk::survives(MediumId medium) {
 
 void RandomWalk::go_on(const dvec3& direction, bool through, RayKind kind, double pdf) {
   if (!survives(through ? bundle().hit.medium_after : bundle().hit.medium_before)) return;
+  const Route route = route_on(through);
   set_off(bundle(), direction, through, kind, bundle());
+  bundle().route = route;
   bundle().pdf = pdf;
   wait();
 }

@@ -34,6 +34,16 @@ protected:
   /// gives for it; `weight` makes up for another chance of getting here.
   void scatter(const dvec3& direction, const float* f_cos, double pdf, double weight);
 
+  /// Whether the material that was found last also lets light through.
+  [[nodiscard]] bool clear() const {
+    const BsdfFacts facts = material_->facts();
+    return facts.transmits || facts.passes;
+  }
+  /// The route by which a path goes on from the bundle's hit.
+  [[nodiscard]] Route route_on(bool through) const {
+    return through ? let_through(bundle().route) : sent_back(bundle().route, clear());
+  }
+
   Scattering scattering_;
 
 private:

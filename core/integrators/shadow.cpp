@@ -18,12 +18,22 @@ const float* ShadowRays::transmittance(const RayState& towards_light, double dis
   return along(towards_light, distance, bands, wavelengths, counts);
 }
 
+bool ShadowRays::hidden(const Ray& towards_light, const LightSample& light) const {
+  return !world_.shows(light.may_be_hidden, towards_light, light.distance);
+}
+
 const float* ShadowRays::along(const RayState& state, double distance, BandRange bands,
                                PathWavelengths& wavelengths, RayCounts& counts) {
   through_glass_ = false;
   if (!through_refracting() && !plan_.dims_on_the_way()) {
     counts.add_any_hit(RayKind::shadow, state, distance);
-    return world_.occluded(state, distance) ? nullptr : ones_.data();
+    if (world_.occluded(state, distance)) return nullptr;
+    const MediumPlan& medium = plan_.medium(world_.medium_of(state.nesting));
+    if (!medium.absorbs) return ones_.data();
+    // Nothing that shows is met, so all of the way is in this medium.
+    std::fill(transmittance_.begin(), transmittance_.end(), 1.0f);
+    absorb(medium, distance, {transmittance_.data(), bands});
+    return transmittance_.data();
   }
   std::fill(transmittance_.begin(), transmittance_.end(), 1.0f);
   return attenuate(state, distance, bands, wavelengths, counts) ? transmittance_.data() : nullptr;

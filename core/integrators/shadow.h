@@ -3,6 +3,7 @@
 #include "core/bands/band_span.h"
 #include "core/bundles/path_wavelengths.h"
 #include "core/bundles/statistics.h"
+#include "core/lights/lights.h"
 #include "geometry/world/world.h"
 
 #include <vector>
@@ -19,6 +20,14 @@ public:
   [[nodiscard]] const float* transmittance(const RayState& towards_light, double distance,
                                            BandRange bands, PathWavelengths& wavelengths,
                                            RayCounts& counts);
+  /// The same for a sample of a light: nothing arrives from a place of a shape where another one
+  /// shows.
+  [[nodiscard]] const float* transmittance(const RayState& towards_light, const LightSample& light,
+                                           BandRange bands, PathWavelengths& wavelengths,
+                                           RayCounts& counts) {
+    if (light.may_be_hidden.valid() && hidden(towards_light.ray, light)) return nullptr;
+    return transmittance(towards_light, light.distance, bands, wavelengths, counts);
+  }
   /// The same along any straight line, whatever the scene says of shadows.
   [[nodiscard]] const float* along(const RayState& state, double distance, BandRange bands,
                                    PathWavelengths& wavelengths, RayCounts& counts);
@@ -30,6 +39,7 @@ private:
   [[nodiscard]] bool through_refracting() const {
     return plan_.settings.shadows == ShadowRule::attenuated;
   }
+  [[nodiscard]] bool hidden(const Ray& towards_light, const LightSample& light) const;
   /// False where nothing arrives.
   [[nodiscard]] bool attenuate(RayState state, double distance, BandRange bands,
                                PathWavelengths& wavelengths, RayCounts& counts);

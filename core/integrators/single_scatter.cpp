@@ -78,8 +78,11 @@ void SingleScatter::add(const Bundle& bundle, double length, const MediumPlan& m
 
   for (const IncomingLight& light : incoming_) {
     const RayState towards_light{{point, light.direction}, {}, nesting};
-    const float* arriving =
-        shadow_rays_.transmittance(towards_light, light.distance, bands, *wavelengths_, *counts_);
+    const float* arriving = light.sample
+                                ? shadow_rays_.transmittance(towards_light, *light.sample, bands,
+                                                             *wavelengths_, *counts_)
+                                : shadow_rays_.transmittance(towards_light, light.distance, bands,
+                                                             *wavelengths_, *counts_);
     if (!arriving) continue;
     const auto& phase = light.disc ? drops.under_sun : drops.under_lamp;
     const auto part = phase->at(glm::dot(light.direction, bundle.state.ray.direction));

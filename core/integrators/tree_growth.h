@@ -7,7 +7,7 @@ namespace abbe {
 // How trees of reflected and refracted rays are kept from growing without bound. A branch that
 // matters less than a threshold goes on with the chance of what it matters over that threshold, and
 // then weighs as much more: Russian roulette, which loses no light in the mean. The threshold grows
-// with the number of surfaces that the path has met. See docs/decisions/limits.md.
+// with the number of surfaces that the path has met. See docs/decisions/light-budgets.md.
 
 /// So many surfaces are met before the threshold grows: few trees are deeper and still matter.
 inline constexpr int kSurfacesOfTree = 16;

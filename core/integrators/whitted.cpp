@@ -30,19 +30,17 @@ constexpr double kFaint = 1e-3;
 Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, const Lights& lights,
                  double pixel_angle)
     : CameraIntegrator(plan), BundleWalk(plan, world, pixel_angle, Transport::radiance),
-      scene_(scene), lights_(lights), shadow_rays_(plan, world),
-      single_scatter_(scene, plan, world), reflected_(plan.stride), transmitted_(plan.stride),
+      scene_(scene), shadow_rays_(plan, world), single_scatter_(scene, plan, world),
+      sky_(plan, lights), reflected_(plan.stride), transmitted_(plan.stride),
       textured_(0.0f, plan.grid.count()), lit_(plan.stride), coated_(plan.stride) {}
 
-/// All bundles of a camera sample wait at once.
-void Whitted::start(const CameraPaths& paths) {
-  for (std::size_t i = 0; i < paths.count; ++i) {
-    paths.begin(i, bundle());
-    const BandSpan<float> row = throughput();
-    for (int b = row.bands.first; b < row.bands.last; ++b)
-      row[b] = plan_.live[static_cast<std::size_t>(b)] * paths.bundles[i].weight;
-    wait();
-  }
+void Whitted::start(const CameraPaths& paths, std::size_t i) {
+  paths.begin(i, bundle());
+  sky_.begin_path(bundle().state.ray.direction);
+  const BandSpan<float> row = throughput();
+  for (int b = row.bands.first; b < row.bands.last; ++b)
+    row[b] = plan_.live[static_cast<std::size_t>(b)] * paths.bundles[i].weight;
+  wait();
 }
 
 /// Does a step of a path beyond the depth limit: with its own decisions, counts and sums.
@@ -61,38 +59,36 @@ bool Whitted::trace(const CameraPaths& paths, const Sampler& sampler, RadianceSu
   decisions_ = sampler.decisions();
   begin_path(sampler.pair(kWavelength), counts);
   single_scatter_.begin_path(sampler, wavelengths_, sums, counts);
-  start(paths);
-  while (take()) {
-    if (gives_up()) {
-      give_up();
-      return false;
+  for (std::size_t i = paths.count; i-- > 0;) {
+    start(paths, i);
+    while (take()) {
+      if (gives_up()) {
+        give_up();
+        return false;
+      }
+      if (bundle().depth > beyond_.limit) [[unlikely]] {
+        aside([&] {
+          single_scatter_.send_to(beyond_.sums, beyond_.rays);
+          extend();
+          shade_ray(beyond_.sums, beyond_.rays);
+          single_scatter_.send_to(sums, counts);
+        });
+        continue;
+      }
+      extend();
+      shade_ray(sums, counts);
     }
-    if (bundle().depth > beyond_.limit) [[unlikely]] {
-      aside([&] {
-        single_scatter_.send_to(beyond_.sums, beyond_.rays);
-        extend();
-        shade_ray(beyond_.sums, beyond_.rays);
-        single_scatter_.send_to(sums, counts);
-      });
-      continue;
-    }
-    extend();
-    shade_ray(sums, counts);
   }
   return true;
 }
 
 void Whitted::shade_ray(RadianceSums& sums, RayCounts& counts) {
   if (!single_scatter_.arrive(bundle(), throughput())) return wait();
-  if (!bundle().hit.met()) return add_background(bundle(), sums);
+  if (!bundle().hit.met()) return sky_.add(bundle(), true, throughput(), sums);
   const MaterialPlan* material = &plan_.materials[bundle().hit.material.index()];
   if (material->mixture) material = &part_of(plan_, *material, decisions_.next());
   shade(bundle(), *material, sums, counts);
   scatter(bundle(), *material);
-}
-
-void Whitted::add_background(const Bundle& bundle, RadianceSums& sums) {
-  lights_.add_sky(bundle.state.ray.direction, 0.0, true, throughput(), sums);
 }
 
 void Whitted::shade(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
@@ -191,6 +187,7 @@ double Whitted::deep_chance(double importance) const {
 
 void Whitted::scatter(const Bundle& bundle, const MaterialPlan& material) {
   BsdfFacts facts = facts_of(material.bsdf);
+  lets_light_through_ = facts.transmits || facts.passes;
   // A pane is not counted, so the limit does not end what goes straight through.
   const bool ends = bundle.depth == beyond_.limit && (facts.reflects || facts.transmits);
   const bool followed = ends && beyond_.chosen();
@@ -218,7 +215,12 @@ void Whitted::go_on(const BsdfFacts& facts) {
 void Whitted::reflect() {
   const double survives = chance(brought(reflected_.data(), bundle().hit.medium_before));
   if (!(survives > 0.0) || (survives < 1.0 && decisions_.next() >= survives)) return;
-  branch_off_reflection(reflected_.data(), 1.0 / survives);
+  send_back(1.0 / survives);
+}
+
+void Whitted::send_back(double weight) {
+  Bundle& next = branch_off_reflection(reflected_.data(), weight);
+  if (!lets_light_through_) next.route = Route::opaque;
 }
 
 /// Straight on through a pane. Where the bundle has met as many surfaces as it may, this is still
@@ -265,7 +267,7 @@ void Whitted::choose_branches(const BsdfFacts& facts) {
   const double reflected =
       facts.reflects ? deep_chance(brought(reflected_.data(), hit.medium_before)) : 0.0;
   const double u = reflected < 1.0 || transmitted < 1.0 ? decisions_.next() : 0.5;
-  if (u < reflected) branch_off_reflection(reflected_.data(), 1.0 / reflected);
+  if (u < reflected) send_back(1.0 / reflected);
   if (u < 1.0 - transmitted || !(transmitted > 0.0)) return;
   if (facts.passes) return go_straight_on(1.0 / transmitted);
   scale(transmitted_.data(), 1.0 / transmitted);

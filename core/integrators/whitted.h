@@ -4,6 +4,7 @@
 #include "core/integrators/integrator.h"
 #include "core/integrators/shadow.h"
 #include "core/integrators/single_scatter.h"
+#include "core/integrators/sky_view.h"
 #include "core/lights/lights.h"
 #include "core/sampling/sampler.h"
 
@@ -24,10 +25,10 @@ public:
              RayCounts& counts) override;
 
 private:
-  void start(const CameraPaths& paths);
+  /// Bundle number `i` of the sample waits to be followed.
+  void start(const CameraPaths& paths, std::size_t i);
   /// Adds the light of the traced bundle's ray. What goes on from its hit waits.
   void shade_ray(RadianceSums& sums, RayCounts& counts);
-  void add_background(const Bundle& bundle, RadianceSums& sums);
   void shade(const Bundle& bundle, const MaterialPlan& material, RadianceSums& sums,
              RayCounts& counts);
   [[nodiscard]] BandSpan<const float> diffuse_under_coat(const Bundle& bundle,
@@ -38,6 +39,7 @@ private:
                   RayCounts& counts);
   void scatter(const Bundle& bundle, const MaterialPlan& material);
   void reflect();
+  void send_back(double weight);
   void refract();
   void pass();
   void go_straight_on(double weight);
@@ -51,10 +53,11 @@ private:
   [[nodiscard]] double deep_chance(double importance) const;
 
   const Scene& scene_;
-  const Lights& lights_; ///< of which only the sky is seen
   ShadowRays shadow_rays_;
   SingleScatter single_scatter_;
+  SkyView sky_;
   std::vector<float> reflected_, transmitted_; ///< factors of the surface being shaded
+  bool lets_light_through_ = false;            ///< the surface being shaded
   BandTable textured_;
   DecisionStream decisions_;
 

@@ -71,22 +71,28 @@ void Emission::add_shapes(const Scene& scene, const Plan& plan) {
 }
 
 void Emission::place(const World& world) {
-  for (EmittingLight& light : lights_)
-    light.nesting_ = std::visit([&](const auto& origin) { return light.nesting_of(origin, world); },
-                                light.origin_);
+  for (EmittingLight& light : lights_) {
+    light.world_ = &world;
+    light.looks_about_ =
+        !std::visit([&](const auto& origin) { return light.stands_alone(origin); }, light.origin_);
+  }
 }
 
-Nesting EmittingLight::nesting_of(const Light* light, const World& world) const {
+/// Parallel light begins before all shapes. Any other light of the scene has one place.
+bool EmittingLight::stands_alone(const Light* light) const {
   const auto place = position(*light);
-  return place ? world.nesting_at(*place) : Nesting();
+  if (!place) return true;
+  for (int axis = 0; axis < 3; ++axis) {
+    dvec3 direction(0.0);
+    direction[axis] = 1.0;
+    const RayState state = world_->start_at({*place, direction});
+    if (!state.contacts.empty() || !state.nesting.empty()) return false;
+  }
+  return true;
 }
 
-/// Just the solids around the shape: its own inside does not count.
-Nesting EmittingLight::nesting_of(const EmittingShape& emitting, const World& world) const {
-  Nesting around;
-  for (const ShapeId id : world.nesting_at(point_of(emitting.surface, {0.5, 0.5}).point))
-    if (id != emitting.shape) around.push_back(id);
-  return around;
+bool EmittingLight::stands_alone(const EmittingShape& emitting) const {
+  return world_->stands_alone(emitting.shape);
 }
 
 bool Emission::emits(ShapeId shape) const {
@@ -112,8 +118,10 @@ std::optional<EmittedRay> EmittingLight::from(const Light* light, const Sampler&
   const auto emitted = emit(*light, goals_, sampler);
   if (!emitted) return std::nullopt;
   EmittedRay ray;
-  ray.state.ray = emitted->ray;
-  ray.state.nesting = nesting_;
+  if (looks_about_)
+    ray.state = world_->start_at(emitted->ray);
+  else
+    ray.state.ray = emitted->ray;
   ray.source = source_;
   ray.flux = emitted->flux;
   return ray;
@@ -127,10 +135,15 @@ std::optional<EmittedRay> EmittingLight::from(const EmittingShape& emitting,
   const double cosine = glm::dot(chosen.direction, at.normal);
   if (emitting.one_sided ? !(cosine > 0.0) : cosine == 0.0) return std::nullopt;
   EmittedRay ray;
-  ray.state.ray = {at.point, chosen.direction};
-  ray.state.contacts.push_back(
-      {emitting.shape, at.face, cosine > 0.0 ? Side::outside : Side::inside});
-  ray.state.nesting = nesting_;
+  const SurfaceContact own{emitting.shape, at.face, cosine > 0.0 ? Side::outside : Side::inside};
+  if (looks_about_) {
+    auto start = world_->start_on(own, {at.point, chosen.direction});
+    if (!start) return std::nullopt;
+    ray.state = std::move(*start);
+  } else {
+    ray.state.ray = {at.point, chosen.direction};
+    ray.state.contacts.push_back(own);
+  }
   ray.source = source_;
   ray.flux = std::abs(cosine) / (at.pdf * chosen.pdf);
   return ray;

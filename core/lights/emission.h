@@ -39,14 +39,16 @@ private:
   [[nodiscard]] std::optional<EmittedRay> from(const Light* light, const Sampler& sampler) const;
   [[nodiscard]] std::optional<EmittedRay> from(const EmittingShape& emitting,
                                                const Sampler& sampler) const;
-  [[nodiscard]] Nesting nesting_of(const Light* light, const World& world) const;
-  [[nodiscard]] Nesting nesting_of(const EmittingShape& emitting, const World& world) const;
+  [[nodiscard]] bool stands_alone(const Light* light) const;
+  [[nodiscard]] bool stands_alone(const EmittingShape& emitting) const;
 
   Origin origin_;
   int source_ = 0;
   EmissionGoals goals_;
   double flux_ = 0.0; ///< mean over the bands
-  Nesting nesting_;   ///< solids around the light
+  const World* world_ = nullptr;
+  /// Other surfaces, and solids around the light, are looked for where each path begins.
+  bool looks_about_ = true;
 };
 
 /// All lights with something specular in their light.
@@ -56,7 +58,7 @@ public:
   Emission() = default;
   /// Keeps references to the scene.
   Emission(const Scene& scene, const Plan& plan);
-  /// Finds the solids around each light, before rays are asked for.
+  /// Finds out what lies about each light, before rays are asked for. Keeps a reference.
   void place(const World& world);
 
   [[nodiscard]] const std::vector<EmittingLight>& lights() const { return lights_; }

@@ -33,6 +33,12 @@ Lights::Lights(const Scene& scene, const Plan& plan)
   share_chances();
 }
 
+void Lights::place(const World& world) {
+  for (Choice& choice : choices_)
+    if (auto* light = std::get_if<SurfaceLight>(&choice.extent))
+      light->may_be_hidden = world.may_be_hidden(light->shape);
+}
+
 void Lights::add_lights() {
   const double around = scene_disc(scene_);
   for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
@@ -55,7 +61,9 @@ void Lights::add_shapes() {
     const std::size_t id = placed.material.index();
     const MaterialPlan& material = plan_.materials[id];
     if (material.emission_source < 0 || !can_sample_surface(placed.shape)) continue;
-    SurfaceLight light{*sampled_surface(placed, material.emits_behind), is_solid(placed.shape)};
+    SurfaceLight light{*sampled_surface(placed, material.emits_behind),
+                       is_solid(placed.shape),
+                       {static_cast<std::int32_t>(i)}};
     const double area = std::visit([](const auto& s) { return s.area(); }, light.surface);
     const double sides = !light.solid && material.emits_behind ? 2.0 : 1.0;
     Choice choice{std::move(light), material.emission_source};
@@ -107,7 +115,13 @@ std::optional<LightSample> Lights::sample(const SurfaceLight& light, const Choic
   const auto seen = std::visit([&](const auto& s) { return s.sample(place, u); }, light.surface);
   if (!seen) return std::nullopt;
   const double pdf = choice.chance * seen->pdf;
-  return LightSample{seen->direction, seen->distance, pdf, 1.0 / pdf, choice.source};
+  return LightSample{seen->direction,
+                     seen->distance,
+                     pdf,
+                     1.0 / pdf,
+                     choice.source,
+                     false,
+                     light.may_be_hidden ? light.shape : ShapeId{}};
 }
 
 std::optional<LightSample> Lights::sample(const EnvironmentLight& light, const Choice& choice,
@@ -136,6 +150,13 @@ double Lights::pdf(const dvec3& place, const Hit& hit) const {
   return choice.chance *
          std::visit([&](const auto& s) { return s.pdf(place, hit.point, hit.normal); },
                     light.surface);
+}
+
+bool Lights::sun_shows(const dvec3& direction) const {
+  return std::ranges::any_of(discs_, [&](int i) {
+    const Choice& choice = choices_[static_cast<std::size_t>(i)];
+    return std::get<LightDisc>(choice.extent).directions.holds(direction);
+  });
 }
 
 void Lights::add_sky(const dvec3& direction, double pdf, bool suns, BandSpan<float> throughput,

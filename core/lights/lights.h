@@ -3,7 +3,7 @@
 #include "core/emitters/sampled_surface.h"
 #include "core/film/radiance_sums.h"
 #include "core/lights/light_disc.h"
-#include "geometry/rays/ray_state.h"
+#include "geometry/world/world.h"
 
 #include <optional>
 #include <variant>
@@ -23,6 +23,8 @@ struct LightSample {
   double weight = 0.0;
   int source = 0;           ///< index into Plan::sources
   bool environment = false; ///< the image's colour of this direction counts too
+  /// The shape whose surface is meant, if another surface may show in its place.
+  ShapeId may_be_hidden = {};
 };
 
 /// Everything that can be aimed at to light a place: the scene's lights, shapes whose material
@@ -31,6 +33,8 @@ class Lights {
 public:
   /// Keeps references to both.
   Lights(const Scene& scene, const Plan& plan);
+  /// Finds the shapes that others may hide; before this is done all are thought to show.
+  void place(const World& world);
 
   [[nodiscard]] bool empty() const { return choices_.empty(); }
   /// True when no number is needed to choose one.
@@ -51,6 +55,9 @@ public:
     if (sample.environment) plan_.environment->scale(sample.direction, light);
   }
 
+  /// True where a ray that leaves the scene along a unit direction sees the disc of a sun.
+  [[nodiscard]] bool sun_shows(const dvec3& direction) const;
+
   /// Adds what a ray sees that leaves the scene along a unit direction: the background, the discs
   /// of suns (unless they are found otherwise), and the environment, each weighed against `sample`
   /// where the ray's direction was drawn with this pdf per steradian (0: it was not). The ray ends
@@ -67,6 +74,8 @@ private:
   struct SurfaceLight {
     SampledSurface surface;
     bool solid; ///< it gives light off outwards only
+    ShapeId shape;
+    bool may_be_hidden = false; ///< by another surface that coincides with it
   };
   struct EnvironmentLight {
     const EnvironmentMap* map;

@@ -52,6 +52,16 @@ struct AccumulatorPlan {
   BandTable radiance;         ///< mean spectral radiance per unit of the accumulator
 };
 
+/// What the sky does to the film. What passes through the scene to the sky is weighed by the
+/// colours that its bands of D65 give, so that it is a factor on the picture behind.
+struct SkyPlan {
+  bool transparent = false;   ///< what passes to the sky is left out of the picture
+  bool lets_through = true;   ///< alpha is not 1 everywhere: some of the sky shows nothing
+  bool tints = false;         ///< the colour of what passes is kept too
+  std::vector<float> x, y, z; ///< the colour of D65 by band, padded
+  Xyz clear{1.0, 1.0, 1.0};   ///< the sums of x, y and z over all bands that can carry light
+};
+
 /// What a scene needs under given settings, and what may be left out; computed once.
 struct Plan {
   RenderSettings settings;
@@ -75,6 +85,8 @@ struct Plan {
   std::vector<IndexTable> layers; ///< of thin films and coats
   bool has_drops = false;         ///< some medium has
   bool has_panes = false;         ///< some material lets light straight through
+
+  SkyPlan sky;
 
   PixelWindow window; ///< what is rendered
   std::vector<Tile> tiles;

@@ -9,6 +9,7 @@
 #include "core/planning/plan_materials.h"
 #include "core/planning/plan_notes.h"
 #include "core/planning/plan_samples.h"
+#include "core/planning/plan_sky.h"
 #include "core/planning/plan_sources.h"
 #include "core/planning/plan_surfaces.h"
 #include "core/planning/plan_tiles.h"
@@ -79,6 +80,7 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
     if (plan.environment) plan.environment_source = sources.add(scene.environment->light);
   }
   plan_media(scene, plan);
+  plan_sky(scene, plan);
   plan_bands(plan);
 
   const PixelWindow full{0, 0, settings.width, settings.height};

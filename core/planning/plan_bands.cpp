@@ -1,23 +1,34 @@
 #include "core/planning/plan_bands.h"
 
+#include "core/bands/band_math.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 namespace abbe {
 namespace {
 
-/// The bands in which some source emits and the observer sees something.
+/// True when some source emits in this band and the observer sees it.
+bool is_lit(const Plan& plan, int band) {
+  return std::any_of(plan.sources.begin(), plan.sources.end(), [&](const SourcePlan& s) {
+    const AccumulatorPlan& a = plan.accumulators[static_cast<std::size_t>(s.accumulator)];
+    const auto i = static_cast<std::size_t>(band);
+    const bool seen = a.x[i] != 0.0f || a.y[i] != 0.0f || a.z[i] != 0.0f;
+    return seen && s.factor[band] != 0.0f;
+  });
+}
+
+/// The bands that are lit. Where none is and alpha is asked for, these are the bands that the
+/// observer sees: what passes through the scene is known without any light.
 void find_live_bands(Plan& plan) {
+  const bool dark = nothing_gives_light(plan);
+  const bool by_alpha = dark && plan.sky.lets_through;
   const auto alive = [&](int b) {
-    return std::any_of(plan.sources.begin(), plan.sources.end(), [&](const SourcePlan& s) {
-      const AccumulatorPlan& a = plan.accumulators[static_cast<std::size_t>(s.accumulator)];
-      const auto i = static_cast<std::size_t>(b);
-      const bool seen = a.x[i] != 0.0f || a.y[i] != 0.0f || a.z[i] != 0.0f;
-      return seen && s.factor[b] != 0.0f;
-    });
+    return by_alpha ? plan.sky.y[static_cast<std::size_t>(b)] != 0.0f : is_lit(plan, b);
   };
   int first = 0, last = plan.grid.count();
   while (first < last && !alive(first))
@@ -34,8 +45,8 @@ void find_live_bands(Plan& plan) {
   plan.first_band = skip ? first : 0;
   plan.last_band = skip ? last : plan.grid.count();
   const int dead = plan.grid.count() - (last - first);
-  if (dead == 0) return;
-  if (first == last) {
+  if (dead == 0 && !dark) return;
+  if (dark) {
     plan.notes.push_back("nothing gives light: the picture is black");
     return;
   }
@@ -66,15 +77,34 @@ BandShares shares_of(const Plan& plan) {
   std::vector<double> squares(static_cast<std::size_t>(plan.grid.count()));
   for (const SourcePlan& source : plan.sources)
     add_seen(plan, source, squares);
+  if (std::ranges::none_of(squares, [](double s) { return s > 0.0; }))
+    std::ranges::copy(std::span(plan.sky.y).first(squares.size()), squares.begin());
   for (double& s : squares)
     s = std::sqrt(s);
   return BandShares(squares);
 }
 
+/// Summed as RadianceSums does it, so that a path on which nothing is lost lets exactly 1 through.
+void find_clear_sky(Plan& plan) {
+  SkyPlan& sky = plan.sky;
+  const auto sum = [&](const std::vector<float>& weights) {
+    return static_cast<double>(
+        weighted_sum(plan.live.data(), weights.data(), plan.first_band, plan.last_band));
+  };
+  sky.clear = {sum(sky.x), sum(sky.y), sum(sky.z)};
+}
+
 } // namespace
+
+bool nothing_gives_light(const Plan& plan) {
+  for (int b = 0; b < plan.grid.count(); ++b)
+    if (is_lit(plan, b)) return false;
+  return true;
+}
 
 void plan_bands(Plan& plan) {
   find_live_bands(plan);
+  find_clear_sky(plan);
   plan.shares = shares_of(plan);
 }
 

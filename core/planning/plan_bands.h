@@ -8,4 +8,7 @@ namespace abbe {
 /// follow a few alone divides itself among them. The sources are planned.
 void plan_bands(Plan& plan);
 
+/// True when no source gives light that the observer sees.
+[[nodiscard]] bool nothing_gives_light(const Plan& plan);
+
 } // namespace abbe

@@ -3,6 +3,7 @@
 #include "core/cameras/placed_camera.h"
 #include "core/lights/light_kinds.h"
 #include "core/lights/scene_extent.h"
+#include "core/scene/reach.h"
 #include "core/scene/user_error.h"
 #include "spectral/observer.h"
 
@@ -16,27 +17,15 @@
 namespace abbe {
 namespace {
 
-/// Where shapes, lights and cameras may be. Bounds are padded by 2^-20 of the farthest coordinate,
-/// which must neither reach Embree's limit of 1.8e18 nor vanish in single precision (1.2e-38).
-constexpr double kFarthest = 1e17, kLeastExtent = 1e-30;
-
-double largest(const dvec3& p) {
-  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-}
-
-/// The largest coordinate of a shape; of an endless plane that of its point next to the origin.
-double reach_of(const PlacedShape& placed) {
-  if (is_bounded(placed.shape)) return bounds(placed).largest_coordinate();
-  const dvec3 normal = placed.to_world.normal({0.0, 0.0, 1.0});
-  return std::abs(glm::dot(normal, placed.to_world.offset()));
-}
+/// The padding must not vanish in single precision (1.2e-38).
+constexpr double kLeastExtent = 1e-30;
 
 void check_reach(double reach, const std::string& what) {
-  if (!(reach <= kFarthest)) // nor is what is no number
+  if (!(reach <= kFarthestCoordinate)) // nor is what is no number
     throw UserError(fmt::format(
         "{} is too far off: it reaches {:.3g} units from the origin, and rays can be followed to "
         "{:.0e}. Bring it nearer, or measure in larger units",
-        what, reach, kFarthest));
+        what, reach, kFarthestCoordinate));
 }
 
 } // namespace
@@ -62,10 +51,10 @@ double film_quantum(const Scene& scene, const BandGrid& grid, Observer observer)
 }
 
 void check_extent(const Scene& scene) {
-  check_reach(largest(scene.camera.eye), "the camera's eye");
+  check_reach(reach_of(scene.camera.eye), "the camera's eye");
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     if (const auto place = position(scene.lights[i]))
-      check_reach(largest(*place), fmt::format("light number {}", i + 1));
+      check_reach(reach_of(*place), fmt::format("light number {}", i + 1));
   for (std::size_t i = 0; i < scene.shapes.size(); ++i)
     check_reach(reach_of(scene.shapes[i]), fmt::format("shape number {}", i + 1));
   const double farthest = farthest_coordinate(scene);

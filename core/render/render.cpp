@@ -2,6 +2,7 @@
 
 #include "core/adaptive/noise.h"
 #include "core/adaptive/sample_allocation.h"
+#include "core/adaptive/sample_shares.h"
 #include "core/bundles/denormals.h"
 #include "core/render/progress_meter.h"
 #include "core/render/tile_renderer.h"
@@ -134,7 +135,8 @@ void RangeRenderer::begin_round() {
   state_.round_end = schedule_.end_of_round(state_.done);
   if (settings_.adaptive != AdaptiveSampling::on || state_.done == 0) return;
   arena_.execute([&] {
-    state_.allocation = allocate_samples(state_.film, state_.pixel_rays, state_.round_end);
+    if (state_.shares.empty()) state_.shares = find_shares(state_.film, state_.pixel_rays);
+    state_.allocation = allocate_samples(state_.film, state_.shares, state_.round_end);
   });
   if (state_.round_end == settings_.samples_per_pixel)
     meter_.step({}, 0.0, more_than(state_.allocation, state_.round_end));

@@ -38,6 +38,7 @@ struct RenderState {
 
   // Adaptive sampling.
   int round_end = 0;                          ///< where the current round ends
+  std::vector<float> shares = {};             ///< by the first round; empty before its end
   std::vector<std::uint32_t> allocation = {}; ///< what each pixel shall have then; empty: the same
   std::vector<std::uint32_t> pixel_rays = {}; ///< how many rays each pixel has taken so far
 };

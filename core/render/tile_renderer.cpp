@@ -24,12 +24,15 @@ std::unique_ptr<CameraIntegrator> make_integrator(const RenderContext& context) 
 RenderContext::RenderContext(const Scene& the_scene, const Plan& the_plan, const World& the_world)
     : scene(the_scene), plan(the_plan), world(the_world), camera(scene, plan.settings, world),
       lights(scene, plan), light_passes(scene, plan, world, camera.connects() ? &camera : nullptr) {
+  lights.place(world);
 }
 
 TileRenderer::TileRenderer(const RenderContext& context, Film& film,
                            std::span<std::uint32_t> pixel_rays, const IsOver& is_over)
-    : plan_(context.plan), world_(context.world), film_(film), pixel_rays_(pixel_rays),
-      integrator_(make_integrator(context)), is_over_(is_over), sums_(plan_),
+    : plan_(context.plan), world_(context.world), film_(film),
+      transparency_(film.find(kTransparency)), transmittance_(film.find(kTransmittance)),
+      pixel_rays_(pixel_rays), integrator_(make_integrator(context)), is_over_(is_over),
+      sums_(plan_, film.find(kEvidence).has_value()), evidence_(film.find(kEvidence)),
       lost_(film.find(kLost)), start_(plan_, context.camera) {
   integrator_->end_with(is_over);
 }
@@ -115,6 +118,10 @@ bool TileRenderer::trace_sample(const CameraSample& sample, const CameraPaths& s
   const Film::Place place =
       film_.add({sample.x, sample.y, sample.index, covered}, sums_.color(),
                 film_.bands() > 0 ? sums_.radiance() : std::span<const float>());
+  if (evidence_) film_.add(*evidence_, place, sums_.own_color());
+  if (transparency_ && sums_.transparency() != 0.0)
+    film_.add(*transparency_, place, sums_.transparency());
+  if (transmittance_) film_.add(*transmittance_, place, sums_.transmittance());
   if (lost_) film_.add(*lost_, place, lost_light(integrator_->beyond().luminance(), plan_.quantum));
   return true;
 }

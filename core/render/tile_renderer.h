@@ -92,10 +92,12 @@ private:
   const Plan& plan_;
   const World& world_;
   Film& film_;
+  std::optional<LayerId> transparency_, transmittance_;
   std::span<std::uint32_t> pixel_rays_;
   std::unique_ptr<CameraIntegrator> integrator_;
   const IsOver& is_over_;
   RadianceSums sums_;
+  std::optional<LayerId> evidence_;
   std::optional<LayerId> lost_; ///< what a limit of depth takes
   std::vector<CameraSample> batch_;
   CameraStart start_;

@@ -16,6 +16,8 @@ constexpr Word<Integrator> kIntegrators[] = {{"whitted", Integrator::whitted},
                                              {"path", Integrator::path}};
 constexpr Word<PixelFilter> kFilters[] = {
     {"box", PixelFilter::box}, {"tent", PixelFilter::tent}, {"gaussian", PixelFilter::gaussian}};
+constexpr Word<Sky> kSkies[] = {{"visible", Sky::visible}, {"transparent", Sky::transparent}};
+constexpr Word<ExtraLayers> kLayers[] = {{"none", {}}, {"transmittance", {.transmittance = true}}};
 constexpr Word<ShadowRule> kShadowRules[] = {{"none", ShadowRule::none},
                                              {"opaque", ShadowRule::opaque},
                                              {"attenuated", ShadowRule::attenuated},
@@ -92,6 +94,12 @@ constexpr auto kRenderTable = std::to_array<RenderSetting>({
      .option = "--filter",
      .help = "Pixel filter",
      .metadata = "filter"},
+    {.value = RenderChoice<Sky>{&S::sky, kSkies},
+     .keyword = "sky",
+     .option = "--sky",
+     .help =
+         "Show the sky, or leave it out and make alpha 0 there, to lay the picture over another",
+     .metadata = "sky"},
     {.value = RenderChoice<ShadowRule>{&S::shadows, kShadowRules},
      .keyword = "shadows",
      .option = "--shadows",
@@ -197,6 +205,9 @@ constexpr auto kRenderTable = std::to_array<RenderSetting>({
      .option = "--errors",
      .help = "Write the channels samples and error.Y into EXR, as --noise and --time do",
      .flag = true},
+    {.value = RenderChoice<ExtraLayers>{&S::layers, kLayers},
+     .option = "--layers",
+     .help = "Further layers of EXR; transmittance: the colour of what shows through the scene"},
     {.value = ImageSize{kSide},
      .keyword = "imageSize",
      .arguments = "width height",

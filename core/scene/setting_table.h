@@ -69,7 +69,7 @@ using RenderValue =
                  CropCorners, RenderChoice<bool>, RenderChoice<Integrator>,
                  RenderChoice<PixelFilter>, RenderChoice<ShadowRule>, RenderChoice<Caustics>,
                  RenderChoice<Observer>, RenderChoice<AdaptiveSampling>, RenderChoice<Tracing>,
-                 RenderChoice<Skips>>;
+                 RenderChoice<Skips>, RenderChoice<Sky>, RenderChoice<ExtraLayers>>;
 using DisplayValue =
     std::variant<RealNumber<DisplaySettings>, Choice<DisplaySettings, GamutMapping>, DisplaySpace,
                  DisplayTransfer, DisplayWhite>;

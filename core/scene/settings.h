@@ -30,6 +30,19 @@ enum class Caustics : std::uint8_t { automatic, on, off };
 /// where it is known to pay, see docs/decisions/noise.md.
 enum class AdaptiveSampling : std::uint8_t { automatic, on, off };
 
+/// What becomes of the sky, which is all that a camera ray sees beyond the scene: the background,
+/// the environment and the discs of suns. `visible`: it is a part of the picture. `transparent`:
+/// the picture is to be laid over another one, and where the sky would show, that one does.
+enum class Sky : std::uint8_t { visible, transparent };
+
+/// Layers that are written beside the picture. `transmittance`: by how much the scene dims what
+/// lies behind it, as a colour.
+struct ExtraLayers {
+  bool transmittance = false;
+
+  friend constexpr bool operator==(const ExtraLayers&, const ExtraLayers&) = default;
+};
+
 /// The reconstruction filter, which is sampled in proportion to its value. `gaussian` has a
 /// standard deviation of half a pixel and ends at 1.5 pixels, `tent` ends at 1, `box` at half a
 /// pixel.
@@ -73,6 +86,8 @@ struct RenderSettings {
   std::uint64_t seed = 0;
   Integrator integrator = Integrator::whitted;
   PixelFilter filter = PixelFilter::gaussian;
+  Sky sky = Sky::visible;
+  ExtraLayers layers;
 
   int max_depth = kNoDepthLimit; ///< how often a path may be reflected or refracted
   /// A branch whose every band carries less is followed at random, and then carries this.

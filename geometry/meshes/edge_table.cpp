@@ -12,7 +12,7 @@ EdgeTable::EdgeTable(std::size_t vertex_count, const std::vector<Triangle>& tria
   const auto side_of = [&](std::size_t t, std::size_t i) {
     const std::int32_t from = triangles[t][i], to = triangles[t][(i + 1) % 3];
     return TriangleSide{std::min(from, to), std::max(from, to), static_cast<std::int32_t>(t),
-                        static_cast<std::int8_t>(i), from < to};
+                        static_cast<std::uint8_t>(i), from < to};
   };
   // Sides are sorted by their lower vertex first, by counting, which takes a time that grows with
   // their number only; then those of one vertex, of which there are few.

@@ -13,7 +13,7 @@ namespace abbe {
 struct TriangleSide {
   std::int32_t lower, upper; ///< the vertices at its ends, by number
   std::int32_t triangle;
-  std::int8_t side;
+  std::uint8_t side;
   bool forward; ///< it runs from the lower vertex to the upper one
 };
 

@@ -42,17 +42,11 @@ void enter_or_leave(Nesting& nesting, ShapeId shape, bool entering) {
   if (entering && found == nesting.end()) nesting.push_back(shape);
 }
 
-/// The crossing that shows: an opaque or flat shape before glass, then the highest priority, then
-/// the shape defined last (as for medium_of). Never the one that rounding happens to put first.
+/// The crossing that shows, never the one that rounding happens to put first.
 const Candidate& shown(const ShapeTable& shapes, const Coincident& crossings) {
-  if (crossings.size() == 1) return crossings[0];
-  const auto rank = [&](const Candidate& c) {
-    const ShapeTable::Row& row = shapes[c.shape];
-    return std::tuple(!row.medium.valid(), row.priority, c.shape);
-  };
   const Candidate* highest = crossings.begin();
   for (const Candidate& c : crossings)
-    if (rank(c) > rank(*highest)) highest = &c;
+    if (&c != highest && shows_before(shapes, c.shape, highest->shape)) highest = &c;
   return *highest;
 }
 
@@ -91,6 +85,14 @@ void NearestCandidates::offer_beside_others(const Candidate& candidate) {
   while (place > 0 && before(candidate, kept_[place - 1]))
     --place;
   kept_.insert(place, candidate);
+}
+
+bool shows_before(const ShapeTable& shapes, ShapeId a, ShapeId b) {
+  const auto rank = [&](ShapeId id) {
+    const ShapeTable::Row& row = shapes[id];
+    return std::tuple(!row.medium.valid(), row.priority, id);
+  };
+  return rank(a) > rank(b);
 }
 
 MediumId prevailing_medium(const ShapeTable& shapes, const Nesting& nesting) {

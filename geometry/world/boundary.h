@@ -56,6 +56,10 @@ private:
   return nesting.size() == 1 ? shapes[nesting[0]].medium : prevailing_medium(shapes, nesting);
 }
 
+/// Whether `a` shows where its surface coincides with that of `b`: an opaque or flat shape before
+/// glass, then the highest priority, then the shape defined last (as for medium_of).
+[[nodiscard]] bool shows_before(const ShapeTable& shapes, ShapeId a, ShapeId b);
+
 /// What the ray meets at the nearest boundary, all coinciding crossings taken as one. A shape
 /// without a medium (opaque or flat) shows before any other; else the one whose medium prevails.
 /// Writes it to `hit`, whatever that held. Returns false where nothing is to be seen, since the

@@ -1,5 +1,7 @@
 #include "geometry/world/world.h"
 
+#include "geometry/rays/finite_ray.h"
+#include "geometry/world/shape_at_place.h"
 #include "geometry/world/world_callbacks.h"
 
 #include <algorithm>
@@ -84,10 +86,11 @@ void trace_packet(RTCScene scene, Query& query, std::size_t count) {
   alignas(64) std::array<int, Width> valid{};
   alignas(64) Packet packet;
   const float tfar = rounded_up(query.distance);
+  const Ray any;
   for (std::size_t i = 0; i < Width; ++i) {
-    const bool used = i < count;
+    const bool used = i < count && is_finite(query.states[i].ray);
     valid[i] = used ? -1 : 0;
-    set_ray(packet.ray, static_cast<unsigned>(i), query.states[used ? i : 0].ray,
+    set_ray(packet.ray, static_cast<unsigned>(i), used ? query.states[i].ray : any,
             query.farthest_coordinate, used ? tfar : kNowhere);
     packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
@@ -96,6 +99,7 @@ void trace_packet(RTCScene scene, Query& query, std::size_t count) {
 }
 
 void trace_single(RTCScene scene, Query& query) {
+  if (!is_finite(query.states[0].ray)) return;
   RTCRayHit ray;
   set_ray(ray.ray, query.states[0].ray, query.farthest_coordinate, rounded_up(query.distance));
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -119,6 +123,7 @@ struct World::Impl {
   std::vector<PlacedShape> shapes;
   ShapeTable table;
   ShapeGroups groups;
+  std::vector<const ShapeGroup*> attached; ///< by Embree's number of the geometry
   double farthest_coordinate; ///< of the bounded shapes, and of all places where rays begin
   std::string error;          ///< Embree's, while the world is built
   embree::Device device;
@@ -140,6 +145,15 @@ struct World::Impl {
   void find_visible(const RayState& start, const NearestCandidates& nearest, double distance,
                     Passage* passage, Hit& hit) const;
   void go_on_behind(const RayState& start, double distance, Passage& passage, Hit& hit) const;
+
+  /// The shapes whose boxes come within a distance of a place, and endless ones, in their order.
+  [[nodiscard]] Nesting shapes_near(const dvec3& place, double distance) const;
+  /// Calls `visit` for the other shapes whose boxes touch that of a shape.
+  template <class Visit>
+  void for_each_beside(ShapeId shape, Visit&& visit) const;
+  /// Adds what lies at the beginning of a ray to its state: contacts and solids, those of `on`
+  /// aside. False where a surface that shows before that of `on` is there.
+  [[nodiscard]] bool begin(ShapeId on, double place_error, RayState& state) const;
 };
 
 World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_origin,
@@ -163,6 +177,8 @@ World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_origin
   scene.reset(rtcNewScene(device.get()));
   rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
   attach(groups, device.get(), scene.get());
+  for (const ShapeGroup& group : groups)
+    if (!group.primitives.empty()) attached.push_back(&group);
   rtcCommitScene(scene.get());
   if (!error.empty()) throw std::runtime_error("Embree: " + error);
 }
@@ -255,6 +271,7 @@ void World::find_closest(std::span<const RayState> states, std::span<Hit> hits,
 }
 
 bool World::occluded(const RayState& state, double distance) const {
+  if (!is_finite(state.ray)) return true;
   Query query = impl_->query_for(&state, nullptr, distance);
   // Outside all glass the first glass along the ray shows for certain. Inside, boundaries between
   // equal media may come first.
@@ -305,11 +322,126 @@ std::size_t World::replay_occluded(std::span<const RayState> states,
   return met;
 }
 
+Nesting World::Impl::shapes_near(const dvec3& place, double distance) const {
+  struct Found {
+    const Impl& impl;
+    Nesting shapes;
+  } found{*this, {}};
+  RTCPointQuery query;
+  query.x = static_cast<float>(place.x);
+  query.y = static_cast<float>(place.y);
+  query.z = static_cast<float>(place.z);
+  query.time = 0.0f;
+  // As for rays, the boxes' padding covers what single precision does to the place.
+  query.radius = rounded_up(distance);
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  rtcPointQuery(
+      scene.get(), &query, &context,
+      [](RTCPointQueryFunctionArguments* args) {
+        auto& into = *static_cast<Found*>(args->userPtr);
+        const ShapeGroup& group = *into.impl.attached[args->geomID];
+        into.shapes.push_back(group.primitives[args->primID].id);
+        return false; // the radius stays
+      },
+      &found);
+  std::sort(found.shapes.begin(), found.shapes.end());
+  return found.shapes;
+}
+
+namespace {
+
+bool is_flat(const Shape& shape) {
+  return std::visit([]<class S>(const S&) { return FlatShape<S>; }, shape);
+}
+
+double largest(const dvec3& p) {
+  return std::max(std::max(std::abs(p.x), std::abs(p.y)), std::abs(p.z));
+}
+
+/// Whether a flat shape's plane runs through a box.
+bool runs_through(const PlacedShape& flat, const Bounds& box) {
+  const dvec3 normal = flat.to_world.normal({0.0, 0.0, 1.0});
+  const dvec3 half = 0.5 * (box.upper - box.lower);
+  const double reach = glm::dot(glm::abs(normal), half) + surface_error(flat);
+  return std::abs(glm::dot(normal, box.lower + half - flat.to_world.offset())) <= reach;
+}
+
+} // namespace
+
+template <class Visit>
+void World::Impl::for_each_beside(ShapeId shape, Visit&& visit) const {
+  const auto box_of = [&](ShapeId id) {
+    const PlacedShape& placed = shapes[id.index()];
+    return bounds(placed).grown(surface_error(placed));
+  };
+  const Bounds box = box_of(shape);
+  for (const ShapeId id :
+       shapes_near(0.5 * (box.lower + box.upper), 0.5 * glm::length(box.upper - box.lower))) {
+    if (id == shape) continue;
+    const PlacedShape& other = shapes[id.index()];
+    if (is_bounded(other.shape) && box_of(id).overlap(box).empty()) continue;
+    if (!is_flat(other.shape) || runs_through(other, box)) visit(id);
+  }
+}
+
+bool World::Impl::begin(ShapeId on, double place_error, RayState& state) const {
+  for (const ShapeId id : shapes_near(state.ray.origin, 0.0)) {
+    if (id == on) continue;
+    const Departure way = departure(shapes[id.index()], state.ray, place_error);
+    if (way.face) {
+      if (on.valid() && shows_before(table, id, on)) return false;
+      state.contacts.push_back({id, *way.face, way.inside ? Side::inside : Side::outside});
+    }
+    if (way.inside && table[id].solid) state.nesting.push_back(id);
+  }
+  return true;
+}
+
 Nesting World::nesting_at(const dvec3& point) const {
   Nesting nesting;
-  for (std::size_t i = 0; i < impl_->shapes.size(); ++i)
-    if (contains(impl_->shapes[i], point)) nesting.push_back({static_cast<std::int32_t>(i)});
+  for (const ShapeId id : impl_->shapes_near(point, 0.0))
+    if (contains(impl_->shapes[id.index()], point)) nesting.push_back(id);
   return nesting;
+}
+
+RayState World::start_at(const Ray& ray) const {
+  RayState state{ray, {}, {}};
+  (void)impl_->begin({}, 0.0, state);
+  return state;
+}
+
+std::optional<RayState> World::start_on(const SurfaceContact& contact, const Ray& ray) const {
+  RayState state{ray, {}, {}};
+  state.contacts.push_back(contact);
+  const double error = surface_error(impl_->shapes[contact.shape.index()]);
+  if (!impl_->begin(contact.shape, error, state)) return std::nullopt;
+  if (contact.side == Side::inside && impl_->table[contact.shape].solid)
+    state.nesting.push_back(contact.shape);
+  return state;
+}
+
+bool World::shows(ShapeId shape, const Ray& ray, double distance) const {
+  const PlacedShape& placed = impl_->shapes[shape.index()];
+  dvec3 place = ray.at(distance);
+  if (const auto* ball = std::get_if<Sphere>(&placed.shape))
+    place = placed.to_world.point(snapped(*ball, placed.to_world.inverse_point(place), FaceId{}));
+  const double error = surface_error(placed) + 8.0 * kRoundoff * (largest(ray.origin) + distance);
+  RayState state{{place, ray.direction}, {}, {}};
+  return impl_->begin(shape, error, state);
+}
+
+bool World::stands_alone(ShapeId shape) const {
+  bool alone = true;
+  impl_->for_each_beside(shape, [&](ShapeId) { alone = false; });
+  return alone;
+}
+
+bool World::may_be_hidden(ShapeId shape) const {
+  bool hidden = false;
+  impl_->for_each_beside(
+      shape, [&](ShapeId other) { hidden |= shows_before(impl_->table, other, shape); });
+  return hidden;
 }
 
 MediumId World::medium_of(const Nesting& nesting) const {

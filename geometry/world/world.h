@@ -17,7 +17,8 @@ enum class Tracing : std::uint8_t { single, packets };
 
 /// The shapes of a scene in Embree's hierarchies. Embree, in single precision, only proposes
 /// candidates; every crossing is found and compared in double, so the answer depends neither on
-/// the order of traversal nor on the width of packets.
+/// the order of traversal nor on the width of packets. Rays that are not finite are not handed on:
+/// they meet nothing, and no light comes along them.
 class World {
 public:
   /// `farthest_coordinate` is the largest magnitude of a coordinate from which rays start outside
@@ -52,8 +53,25 @@ public:
   [[nodiscard]] std::size_t replay_occluded(std::span<const RayState> states,
                                             std::span<const double> distances) const;
 
-  /// The solids around a point; slow (it asks each shape), for cameras and lights.
+  /// The solids around a point, for cameras and lights; what lies on a surface is on either side.
   [[nodiscard]] Nesting nesting_at(const dvec3& point) const;
+
+  // Rays that begin somewhere rather than at what another ray has met. All surfaces that hold the
+  // place but for rounding are one boundary, as for rays that meet it, and the solids are those
+  // behind it.
+  /// A ray that begins at a place.
+  [[nodiscard]] RayState start_at(const Ray& ray) const;
+  /// A ray that begins on a shape's surface and goes to the contact's side of it. Nothing where
+  /// another surface shows there.
+  [[nodiscard]] std::optional<RayState> start_on(const SurfaceContact& contact,
+                                                 const Ray& ray) const;
+  /// Whether a shape's surface, to which a ray comes at a distance, shows there.
+  [[nodiscard]] bool shows(ShapeId shape, const Ray& ray, double distance) const;
+  /// True when no other shape comes near this one: rays that begin on it begin in no solid and on
+  /// no other surface.
+  [[nodiscard]] bool stands_alone(ShapeId shape) const;
+  /// False when this shape surely shows wherever it is seen.
+  [[nodiscard]] bool may_be_hidden(ShapeId shape) const;
   /// The medium at a place inside these solids: that of the highest priority, among equals of
   /// the shape defined last. Invalid where no solid has a medium.
   [[nodiscard]] MediumId medium_of(const Nesting& nesting) const;

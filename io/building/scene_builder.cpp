@@ -1,6 +1,8 @@
 #include "io/building/scene_builder.h"
 
+#include "io/building/check_reach.h"
 #include "io/building/fingerprint.h"
+#include "io/building/material_energy.h"
 #include "spectral/band_grid.h"
 
 #include <fmt/format.h>
@@ -26,8 +28,38 @@ std::int32_t SceneBuilder::number_of(KnownValues& known, std::vector<Value>& val
   return known.last;
 }
 
-MaterialId SceneBuilder::add_material(const Material& finish) {
-  return {number_of(materials_, scene_.materials, finish, [] {})};
+MaterialId SceneBuilder::add_material(const SourcePosition& where, const ShapeMaterial& material) {
+  return add_finish(where, shape_finish(where, material));
+}
+
+MaterialId SceneBuilder::add_finish(const SourcePosition& where, Material finish) {
+  const double shares = limit_shares(finish);
+  const auto note = [&] { note_energy(where, finish, shares); };
+  return {number_of(materials_, scene_.materials, finish, note)};
+}
+
+/// Sums a little above 1, as of colours that are told as three numbers, are not warned of.
+void SceneBuilder::note_energy(const SourcePosition& where, const Material& finish, double shares) {
+  constexpr double kNoticeable = 1.05;
+  const std::string name = finish.name.empty() ? "the material" : finish.name;
+  if (shares > 1.0 + 1e-9)
+    energy_warnings_.push_back(
+        fmt::format("{}: reflectivity and transparency of {} add up to {:.4g} with fresnel off; "
+                    "they are lowered so that they add up to 1",
+                    to_string(where), name, shares));
+  const MaterialEnergy energy = most_given_back(finish, scene_.images);
+  if (energy.most > kNoticeable)
+    energy_warnings_.push_back(fmt::format(
+        "{}: {} gives back up to {:.3g} times the light that it gets, at {:g} nm (diffuse {:.3g}, "
+        "highlight {:.3g}, mirrored or let through {:.3g})",
+        to_string(where), name, energy.most, energy.at_nm, energy.diffuse, energy.highlight,
+        energy.specular));
+}
+
+void SceneBuilder::warn_of_the_whole(const Warn& warn) const {
+  keywords_.warn_of_rest(warn);
+  for (const std::string& warning : energy_warnings_)
+    warn(warning);
 }
 
 MediumId SceneBuilder::add_medium(const SourcePosition& where, const Medium& medium) {
@@ -36,13 +68,14 @@ MediumId SceneBuilder::add_medium(const SourcePosition& where, const Medium& med
 
 void SceneBuilder::add_shape(const SourcePosition& where, PlacedShape shape,
                              const ShapeMaterial& material) {
+  check_reach(where, "the shape", reach_of(shape));
   check_surface(where, material.finish);
   if (is_solid(shape.shape))
     check_solid(scene_, where, material.finish);
   else
     check_sheet(scene_, where, material);
   keywords_.meet_shape(material, is_solid(shape.shape));
-  shape.material = add_material(filled_pane(where, material));
+  shape.material = add_material(where, material);
   if (is_solid(shape.shape) && is_transparent(material.finish))
     shape.medium = add_medium(where, material.medium);
   scene_.shapes.push_back(std::move(shape));
@@ -80,8 +113,8 @@ ShapeMaterial SceneBuilder::mix(const SourcePosition& where, const ShapeMaterial
   mixed.finish.name = fmt::format("{} and {}", first.finish.name, second.finish.name);
   mixed.finish.transparency = Curve::constant(lets_in || other ? 1.0 : 0.0);
   Mixture mixture;
-  mixture.first = add_material(filled_pane(where, first));
-  mixture.second = add_material(filled_pane(where, second));
+  mixture.first = add_material(where, first);
+  mixture.second = add_material(where, second);
   mixture.share = share;
   mixed.finish.mixture = mixture;
   return mixed;

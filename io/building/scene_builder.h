@@ -27,8 +27,8 @@ public:
   /// background and environment.
   [[nodiscard]] Scene& scene() { return scene_; }
 
-  /// The id of this finish, which is that of an equal one before. It is not checked.
-  MaterialId add_material(const Material& finish);
+  /// The id of the finish that a shape of this material has, which is that of an equal one before.
+  MaterialId add_material(const SourcePosition& where, const ShapeMaterial& material);
   /// The same for what fills a solid. Throws ReadError as `check_medium` does.
   MediumId add_medium(const SourcePosition& where, const Medium& medium);
 
@@ -51,6 +51,9 @@ public:
   /// Warns once of a glass whose formula was not fitted for all wavelengths of a picture.
   void warn_of_extrapolation(const SourcePosition& where, const Glass& glass, const Warn& warn);
 
+  /// Warns of keywords without effect, and of materials that give back more light than they get.
+  void warn_of_the_whole(const Warn& warn) const;
+
   /// What keywords have acted on.
   [[nodiscard]] KeywordLedger& keywords() { return keywords_; }
 
@@ -63,12 +66,16 @@ private:
     std::unordered_multimap<std::size_t, std::int32_t> numbers;
     std::int32_t last = -1; ///< asked for most recently, and mostly asked for again
   };
+  /// Lowers shares that add up to more than 1, and notes other finishes whose parts do.
+  MaterialId add_finish(const SourcePosition& where, Material finish);
+  void note_energy(const SourcePosition& where, const Material& finish, double shares);
   template <class Value, class Check>
   static std::int32_t number_of(KnownValues& known, std::vector<Value>& values, const Value& value,
                                 const Check& check);
 
   Scene scene_;
   KeywordLedger keywords_;
+  std::vector<std::string> energy_warnings_;
   KnownValues materials_, media_;
   std::map<std::filesystem::path, std::size_t> images_;
   std::set<const Glass*> warned_glasses_;

@@ -38,6 +38,12 @@ Material default_finish() {
   return finish;
 }
 
+ShapeMaterial default_material() {
+  ShapeMaterial material;
+  material.default_ambient = material.default_diffuse = true;
+  return material;
+}
+
 ShapeMaterial clear_material(const Medium& filling) {
   Material clear;
   clear.reflectivity = clear.transparency = Curve::constant(1.0);
@@ -108,8 +114,12 @@ void check_sheet(const Scene& scene, const SourcePosition& where, const ShapeMat
                     "Give thinGlass, a pane of some thickness, or a flat cube");
 }
 
-Material filled_pane(const SourcePosition& where, const ShapeMaterial& material) {
+Material shape_finish(const SourcePosition& where, const ShapeMaterial& material) {
   Material finish = material.finish;
+  if (is_transparent(finish)) {
+    if (material.default_ambient) finish.ambient = Curve::constant(0.0);
+    if (material.default_diffuse) finish.diffuse = Curve::constant(0.0);
+  }
   if (finish.pane) {
     check_index(where, material.medium);
     finish.pane->index = material.medium.index;

@@ -54,8 +54,13 @@ using LightKeywords = NotedKeywords<LightSlot>;
 struct ShapeMaterial {
   Material finish = default_finish();
   Medium medium{"", ThesisScaled{1.0, 0.0}, Curve::constant(0.0)};
+  /// Where ambient and diffuse are still Hill's defaults. A transparent body has none of these.
+  bool default_ambient = false, default_diffuse = false;
   NotedKeywords<MaterialSlot> given{}; ///< the statements that it comes from, as far as noted
 };
+
+/// What shapes are made of when a scene begins.
+[[nodiscard]] ShapeMaterial default_material();
 
 /// A finish that lets all light in, and the glass behind it.
 [[nodiscard]] ShapeMaterial clear_material(const Medium& filling);
@@ -83,9 +88,10 @@ void check_solid(const Scene& scene, const SourcePosition& where, const Material
 /// Throws ReadError where the material of a shape without an inside needs one.
 void check_sheet(const Scene& scene, const SourcePosition& where, const ShapeMaterial& material);
 
-/// The finish of a shape: a pane is of the glass that would fill a solid. Throws ReadError where
-/// that has no index.
-[[nodiscard]] Material filled_pane(const SourcePosition& where, const ShapeMaterial& material);
+/// The finish of a shape: a pane is of the glass that would fill a solid, and a transparent body
+/// has no ambient and diffuse part that nobody has given it. Throws ReadError where a pane's glass
+/// has no index.
+[[nodiscard]] Material shape_finish(const SourcePosition& where, const ShapeMaterial& material);
 
 /// Throws ReadError for a medium that cannot fill a solid: one with an index that is not above 0 at
 /// every wavelength of a picture, or drops in anything but air.

@@ -6,6 +6,7 @@
 
 #include "io/images/read_image.h"
 
+#include "io/files/available_memory.h"
 #include "io/images/read_exr.h"
 #include "io/text/read_arguments.h"
 #include "spectral/data_table.h"
@@ -50,6 +51,10 @@ void require_image_memory(std::uint64_t width, std::uint64_t height, std::uint64
         fmt::format("its {} x {} pixels would take {:.1f} GiB of memory, and {:g} "
                     "GiB is the most for an image",
                     width, height, bytes / kGiB, static_cast<double>(kMostBytes) / kGiB));
+  if (const std::uint64_t available = available_memory(); bytes > static_cast<double>(available))
+    throw std::runtime_error(
+        fmt::format("its {} x {} pixels would take {} of memory, and {} are left", width, height,
+                    memory_text(static_cast<std::uint64_t>(bytes)), memory_text(available)));
 }
 
 ReflectanceImage read_image(const Token& name, const Warn& warn) {

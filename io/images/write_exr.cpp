@@ -19,6 +19,7 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <exception>
 #include <fstream>
 #include <span>
 #include <string>
@@ -89,7 +90,11 @@ struct Channels {
 class DeflateThreads {
 public:
   DeflateThreads() {
-    Imf::setGlobalThreadCount(static_cast<int>(std::thread::hardware_concurrency()));
+    try {
+      Imf::setGlobalThreadCount(static_cast<int>(std::thread::hardware_concurrency()));
+    } catch (const std::exception&) { // the system allows no more threads
+      Imf::setGlobalThreadCount(0);
+    }
   }
   DeflateThreads(const DeflateThreads&) = delete;
   DeflateThreads& operator=(const DeflateThreads&) = delete;

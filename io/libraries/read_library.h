@@ -67,6 +67,7 @@ read_library(std::string_view text, const std::string& file, const LibraryWords&
   while (const auto name = read_entry_head(reader, words)) {
     Entry entry;
     entry.name = name->text;
+    if constexpr (requires { entry.where; }) entry.where = name->where;
     std::vector<bool> seen(keys.size(), false);
     while (const auto row = read_key(reader, words, usages, seen)) {
       Arguments arguments(reader, reader.next(), keys[*row].usage);

@@ -19,11 +19,14 @@
 #include "io/libraries/read_dispersion.h"
 #include "io/libraries/read_glass.h"
 #include "io/libraries/read_library.h"
+#include "spectral/band_grid.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 namespace abbe {
 namespace {
@@ -136,18 +139,55 @@ Curve part(const LibraryMaterial& entry, double amount) {
   return amount == 0.0 ? Curve::constant(0.0) : entry.colour.scaled(amount);
 }
 
+/// The colour where it is largest.
+double largest(const Curve& colour) {
+  if (const auto constant = colour.constant_value()) return *constant;
+  double most = 0.0;
+  for (int i = 0; i < kSampleCount; ++i)
+    most = std::max(most, colour.at(sample_nm(i)));
+  return most;
+}
+
+/// The same for a part that gives back light, which counts as 1 where it is more.
+Curve limited_part(const LibraryMaterial& entry, double amount) {
+  Curve whole = part(entry, amount);
+  if (!(largest(whole) > 1.0)) return whole;
+  if (whole.constant_value()) return Curve::constant(1.0);
+  std::vector<double> values;
+  for (int i = 0; i < kSampleCount; ++i)
+    values.push_back(std::min(1.0, whole.at(sample_nm(i))));
+  return Curve::samples81(std::move(values));
+}
+
+/// Notes parts that are above 1.
+void remark_on_limits(LibraryMaterial& entry, const Warn& warn) {
+  const double colour = largest(entry.colour);
+  for (const auto& [name, amount] : {std::pair("ambience", entry.ambient),
+                                     {"diffuseAmount", entry.diffuse},
+                                     {"specularAmount", entry.specular},
+                                     {"reflectivity", entry.reflectivity},
+                                     {"transparency", entry.transparency}}) {
+    if (!(colour * amount > 1.0)) continue;
+    entry.remarks.push_back(
+        fmt::format("{}: {} times the colour of {} reaches {:.4g}; above 1 it counts as 1 (nothing "
+                    "reflects more than it gets)",
+                    to_string(entry.where), name, entry.name, colour * amount));
+    if (warn) warn(entry.remarks.back());
+  }
+}
+
 } // namespace
 
 Material finish(const LibraryMaterial& entry) {
   Material material;
   material.name = entry.name;
-  material.ambient = part(entry, entry.ambient);
-  material.diffuse = part(entry, entry.diffuse);
-  material.specular = part(entry, entry.specular);
+  material.ambient = limited_part(entry, entry.ambient);
+  material.diffuse = limited_part(entry, entry.diffuse);
+  material.specular = limited_part(entry, entry.specular);
   material.emission = part(entry, entry.emissive);
   material.specular_exponent = entry.specular_exponent;
-  material.reflectivity = part(entry, entry.reflectivity);
-  material.transparency = part(entry, entry.transparency);
+  material.reflectivity = limited_part(entry, entry.reflectivity);
+  material.transparency = limited_part(entry, entry.transparency);
   material.fresnel = entry.fresnel;
   if (entry.metal) { // which lets no light in
     material.metal = ConductorIndex{entry.metal->n, entry.metal->k};
@@ -179,6 +219,8 @@ std::vector<LibraryMaterial> read_materials_text(std::string_view text, const st
                                                  const Warn& warn) {
   auto entries =
       read_library(text, file, kWords, std::span<const LibraryKey<LibraryMaterial>>(kKeys), warn);
+  for (LibraryMaterial& entry : entries)
+    remark_on_limits(entry, warn);
   add_other_names(entries);
   return entries;
 }

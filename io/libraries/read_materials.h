@@ -16,6 +16,7 @@ namespace abbe {
 /// One entry of a material library: a colour and the amounts that scale it.
 struct LibraryMaterial {
   std::string name;
+  SourcePosition where;                ///< of the name
   std::optional<Token> other_name;     ///< `alsoCalled`: a second entry with the same values
   Curve colour = Curve::constant(1.0); ///< `freqBreakdown`
   double ambient = 0.0;
@@ -36,7 +37,8 @@ struct LibraryMaterial {
   std::vector<std::string> remarks; ///< what the reader warned of
 };
 
-/// The surface: each part is its amount times the colour; an amount of 0 is the constant 0.
+/// The surface: each part is its amount times the colour, at most 1 but for emission; an amount of
+/// 0 is the constant 0.
 [[nodiscard]] Material finish(const LibraryMaterial& entry);
 
 /// What fills a solid of this material, as far as its finish lets light in.

@@ -117,6 +117,17 @@ void add_outputs(CLI::App& app, Options& options) {
       "Bits per TIFF channel; 32 is linear floating point");
   add_choice<int>(app, "--png-depth", output.png_bits, {{"8", 8}, {"16", 16}},
                   "Bits per PNG channel");
+  app.add_option_function<std::string>(
+         "--limit-memory",
+         [&options](const std::string& text) {
+           const auto gib = parse_finite(text);
+           if (!gib || !(*gib > 0.0) || *gib > 1e6)
+             throw CLI::ValidationError("--limit-memory",
+                                        "\"" + text + "\" is not a size in GiB above 0");
+           options.memory_limit_gib = gib;
+         },
+         "Do not begin a picture that needs more memory (default: what the machine has left)")
+      ->type_name("GIB");
   app.add_flag("-q,--quiet", options.quiet, "Print warnings and errors only");
 }
 
@@ -166,6 +177,9 @@ Options parse_command_line(int argc, const char* const* argv) {
     options.exit_code = app.exit(error) == 0 ? 0 : kExitUsage;
     return options;
   }
+  for (const CLI::App* command : {render, plan, list})
+    for (const CLI::Option* option : command->get_options())
+      if (option->count() > 0) options.given.push_back(option->get_name());
   options.command = render->parsed() ? Command::render
                     : plan->parsed() ? Command::plan
                                      : Command::list;

@@ -21,8 +21,10 @@ struct Options {
   SettingsOverride settings;
   DisplayOverride display;
   OutputOptions output;
+  std::vector<std::string> given;             ///< the names of all options that were given
   std::vector<std::filesystem::path> outputs; ///< empty: NAME.exr and NAME.tiff
   std::optional<std::filesystem::path> spectral_output;
+  std::optional<double> memory_limit_gib; ///< empty: what the machine has left
   bool quiet = false;
   std::string list_what; ///< glasses, lights, materials or metals; empty: all, for a plot
   std::optional<std::filesystem::path> list_library;

@@ -3,10 +3,11 @@
 #include "core/optics/conductor_reflectance.h"
 #include "core/scene/user_error.h"
 #include "io/images/write_png.h"
-#include "io/libraries/read_lamp.h"
 #include "io/libraries/read_library.h"
 #include "io/libraries/read_lights.h"
 #include "io/libraries/read_materials.h"
+#include "io/libraries/standard_lights.h"
+#include "io/program/terminal.h"
 #include "io/text/similar_names.h"
 #include "spectral/band_grid.h"
 #include "spectral/glass.h"
@@ -31,16 +32,15 @@ public:
       for (const LightSpectrum& entry : read_lights(*file, {})) {
         known_.push_back(entry.name);
         if (!same_name(entry.name, name_)) continue;
-        if (is_lamp_name(name_))
-          fmt::print(stderr,
-                     "warning: {} is the light of {}, which hides the built-in light of "
-                     "this name\n",
-                     name_, file->string());
+        if (is_standard_light(name_))
+          say_error(fmt::format("warning: {} is the light of {}, which hides the built-in light of "
+                                "this name",
+                                name_, file->string()));
         return curve(entry.name + ": light per nm, 1 = equal energy", spectrum(entry));
       }
-    for (std::string& name : lamp_names())
+    for (std::string& name : standard_light_names())
       known_.push_back(std::move(name));
-    if (const auto lamp = read_lamp({TokenKind::word, name_, {"--plot", 1, 1}}))
+    if (const auto lamp = standard_light({TokenKind::word, name_, {"--plot", 1, 1}}))
       return curve(name_ + ": light per nm, 1 = equal energy", *lamp);
     return std::nullopt;
   }
@@ -127,11 +127,13 @@ Plot find_plot(const Options& options) {
 void list_plot(const Options& options) {
   const Plot plot = find_plot(options);
   if (!options.plot_file) {
-    fmt::print("{}", plot_text(plot));
+    std::string text = plot_text(plot);
+    if (text.ends_with('\n')) text.pop_back();
+    say(text);
     return;
   }
   write_png(*options.plot_file, plot_image(plot));
-  fmt::print("wrote {}\n", options.plot_file->string());
+  say(fmt::format("wrote {}", options.plot_file->string()));
 }
 
 } // namespace abbe

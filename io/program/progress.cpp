@@ -86,10 +86,6 @@ std::string lighting(const Rendering& rendering) {
                      rays.photons);
 }
 
-} // namespace
-
-namespace {
-
 /// A limit of depth that takes more than this part of the light is warned of.
 constexpr double kMuchLight = 1e-3;
 
@@ -120,12 +116,15 @@ std::string summary(const Rendering& rendering) {
                      "{} light; {} in {:.2f} s, "
                      "{:.2f} Mray/s\n"
                      "{}{}"
-                     "refused samples: {} not finite, {} negative, {} overflow\n"
+                     "refused samples: {} not finite, {} negative, {} overflow{}\n"
                      "peak memory: {:.0f} MiB",
                      rays.camera, rays.reflected, rays.refracted, rays.scattered, rays.shadow,
                      rays.light, rays.total(), rendering.seconds,
                      million_per_second(rays.total(), rendering.seconds), lighting(rendering),
                      limits(rendering), refused.not_finite, refused.negative, refused.overflow,
+                     rays.not_finite > 0
+                         ? fmt::format("; refused rays: {} not finite", rays.not_finite)
+                         : "",
                      peak_memory_mib());
 }
 

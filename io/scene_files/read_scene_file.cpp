@@ -15,7 +15,7 @@ namespace {
 /// One row of the table of readers.
 struct SceneFormat {
   std::string_view extension; ///< lower case, with its dot
-  Scene (*read)(const std::filesystem::path&, const Warn&, InputFiles*);
+  Scene (*read)(const std::filesystem::path&, const Warn&, InputFiles*, GivenKeywords*);
 };
 
 constexpr std::array kFormats = {
@@ -33,7 +33,8 @@ std::string known_scene_extensions() {
   return list;
 }
 
-Scene read_scene_file(const std::filesystem::path& file, const Warn& warn, InputFiles* files) {
+Scene read_scene_file(const std::filesystem::path& file, const Warn& warn, InputFiles* files,
+                      GivenKeywords* given) {
   const std::string extension = file.extension().string();
   const auto format = std::ranges::find_if(
       kFormats, [&](const SceneFormat& row) { return same_name(row.extension, extension); });
@@ -42,7 +43,7 @@ Scene read_scene_file(const std::filesystem::path& file, const Warn& warn, Input
                     extension.empty() ? "it has no extension, which tells the format"
                                       : fmt::format("its extension is \"{}\"", extension),
                     "The name should end in " + known_scene_extensions());
-  return format->read(file, warn, files);
+  return format->read(file, warn, files, given);
 }
 
 } // namespace abbe

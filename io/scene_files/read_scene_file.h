@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scene/scene.h"
+#include "io/building/setting_effects.h"
 #include "io/scene_language/input_files.h"
 #include "io/text/read_error.h"
 
@@ -11,9 +12,10 @@ namespace abbe {
 
 /// Reads a scene in the format that the extension of its name tells, whatever its case. Throws
 /// ReadError for an unknown extension, with a list of those that are known, and for all that the
-/// format's reader refuses. All files that have been read are added to `files`, unless it is null.
+/// format's reader refuses. All files that have been read are added to `files`, and the
+/// keywords that `warn_of_settings` asks for to `given`, unless they are null.
 [[nodiscard]] Scene read_scene_file(const std::filesystem::path& file, const Warn& warn,
-                                    InputFiles* files = nullptr);
+                                    InputFiles* files = nullptr, GivenKeywords* given = nullptr);
 
 /// ".sdl", for messages and help; several are joined by commas and "or".
 [[nodiscard]] std::string known_scene_extensions();

@@ -55,6 +55,7 @@ void note_statement(SceneState& state, std::string_view keyword, const SourcePos
       ledger.note(slot, effect->keyword, where);
     }
   }
+  note_given(state.given, keyword, where);
   if (const LightEffect* effect = light_effect(keyword))
     ledger.note(state.light.given[effect->slot], effect->keyword, where);
 }
@@ -117,7 +118,7 @@ void read_statement(SceneState& state, TokenReader& reader) {
 }
 
 Scene read_scene_text(std::string_view text, const std::filesystem::path& file, const Warn& warn,
-                      InputFiles* files) {
+                      InputFiles* files, GivenKeywords* given) {
   SceneState state;
   state.scene.title = file.stem().string();
   state.libraries.folder = file.parent_path();
@@ -130,8 +131,9 @@ Scene read_scene_text(std::string_view text, const std::filesystem::path& file, 
   check_pushes(state);
   if (state.camera_at) check_view(*state.camera_at, state.scene.camera);
   finish_camera_lens(state);
-  state.builder.keywords().warn_of_rest(state.warn);
+  state.builder.warn_of_the_whole(state.warn);
   if (state.crop_at) check_crop(*state.crop_at, state.scene.settings);
+  if (given) *given = std::move(state.given);
   if (files) {
     files->push_back(file);
     files->insert(files->end(), state.files.begin(), state.files.end());
@@ -140,8 +142,9 @@ Scene read_scene_text(std::string_view text, const std::filesystem::path& file, 
   return state.builder.take();
 }
 
-Scene read_scene(const std::filesystem::path& file, const Warn& warn, InputFiles* files) {
-  return read_scene_text(read_text_file(file), file, warn, files);
+Scene read_scene(const std::filesystem::path& file, const Warn& warn, InputFiles* files,
+                 GivenKeywords* given) {
+  return read_scene_text(read_text_file(file), file, warn, files, given);
 }
 
 } // namespace abbe

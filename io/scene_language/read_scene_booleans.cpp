@@ -39,7 +39,7 @@ CsgTree read_operands(SceneState& state, const Arguments& arguments, CsgOperatio
   scope.keyword = arguments.name();
   scope.where = where;
   scope.material = state.material;
-  scope.whole = outer ? outer->whole : state.builder.add_material(state.material.finish);
+  scope.whole = outer ? outer->whole : state.builder.add_material(where, state.material);
   scope.filling = filling;
   scope.push_depth = state.pushed.size();
   scope.depth = depth_of(state);
@@ -91,7 +91,7 @@ MaterialId operand_finish(SceneState& state, const SourcePosition& where) {
     warn_at(state, where,
             "what fills this operand is ignored (one medium fills the whole solid, that of the "
             "outermost boolean)");
-  const MaterialId id = state.builder.add_material(own.finish);
+  const MaterialId id = state.builder.add_material(where, own);
   return id == scope.whole ? MaterialId{} : id;
 }
 

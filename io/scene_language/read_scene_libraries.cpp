@@ -7,8 +7,8 @@
 
 #include "io/scene_language/read_scene_libraries.h"
 
-#include "io/libraries/read_lamp.h"
 #include "io/libraries/read_library.h"
+#include "io/libraries/standard_lights.h"
 #include "io/text/similar_names.h"
 
 #include <fmt/format.h>
@@ -99,14 +99,14 @@ void add_materials(SceneLibraries& libraries, const Token& file) {
 
 Curve look_up_light(SceneLibraries& libraries, const Token& name, const Warn& warn) {
   const auto* entry = look_up(libraries.lights, kLights, libraries, name.text, warn);
-  if (entry && is_lamp_name(name.text) && libraries.warned_names.insert(entry->name).second)
+  if (entry && is_standard_light(name.text) && libraries.warned_names.insert(entry->name).second)
     warn(fmt::format("{}: {} is the light of {}, which hides the built-in light of this name",
                      to_string(name.where), shown(name), libraries.lights.files));
   if (entry) return spectrum(*entry);
-  if (const auto lamp = read_lamp(name)) return *lamp;
+  if (const auto lamp = standard_light(name)) return *lamp;
 
   std::vector<std::string> names = names_of(libraries.lights);
-  for (std::string& lamp_name : lamp_names())
+  for (std::string& lamp_name : standard_light_names())
     names.push_back(std::move(lamp_name));
   throw ReadError(name.where, "unknown light " + shown(name),
                   searched(libraries.lights, kLights) + "; no such illuminant",

@@ -11,6 +11,7 @@
 //   environment sky.exr                ! a picture of all directions; or: environment sky.exr D65
 //   0.5 spotlight 2a  0 0 -10  1  0 0 1  2         ! ..., direction, half-angle in degrees
 
+#include "io/building/check_reach.h"
 #include "io/images/read_environment.h"
 #include "io/scene_language/read_scene_state.h"
 #include "spectral/illuminant.h"
@@ -37,9 +38,18 @@ double radians(double angle_deg) {
   return angle_deg * std::numbers::pi / 180.0;
 }
 
-void add_light(SceneState& state, std::string name, const Curve& spectrum, const LightKind& kind) {
-  state.builder.add_light({std::move(name), spectrum.scaled(state.light.intensity), kind},
-                          state.light.given);
+/// A position of the file in the world.
+dvec3 world_position(const SceneState& state, Arguments& arguments, const dvec3& place) {
+  const dvec3 position = state.transform.point(place);
+  check_reach(arguments.keyword().where, "the light", reach_of(position));
+  return position;
+}
+
+void add_light(SceneState& state, const Arguments& arguments, std::string name,
+               const Curve& spectrum, const LightKind& kind) {
+  Light light{std::move(name), spectrum.scaled(state.light.intensity), kind};
+  note_light(state.given, light, arguments.keyword().where);
+  state.builder.add_light(std::move(light), state.light.given);
 }
 
 /// A direction of the file, not 0 0 0, in the world and of unit length.
@@ -53,8 +63,8 @@ bool read_is_local(Arguments& arguments) {
 
 void read_light(SceneState& state, Arguments& arguments) {
   if (arguments.number_follows()) {
-    const dvec3 position = state.transform.point(arguments.vector());
-    add_light(state, "", rgb_emission(read_rgb(arguments)),
+    const dvec3 position = world_position(state, arguments, arguments.vector());
+    add_light(state, arguments, "", rgb_emission(read_rgb(arguments)),
               PointLight{position, state.light.falloff});
     return;
   }
@@ -63,22 +73,23 @@ void read_light(SceneState& state, Arguments& arguments) {
   const SourcePosition where = arguments.reader().peek().where;
   const dvec3 place = arguments.vector();
   if (read_is_local(arguments)) {
-    add_light(state, name.text, spectrum,
-              PointLight{state.transform.point(place), state.light.falloff});
+    add_light(state, arguments, name.text, spectrum,
+              PointLight{world_position(state, arguments, place), state.light.falloff});
     return;
   }
   if (largest_component(place) == 0.0)
     throw ReadError(where, "light from the direction 0 0 0",
                     "its locality is 0, so x y z is the direction it comes from",
                     "Give a direction such as 0 1 0, or the locality 1");
-  add_light(state, name.text, spectrum, DirectionalLight{-world_direction(state, place)});
+  add_light(state, arguments, name.text, spectrum,
+            DirectionalLight{-world_direction(state, place)});
 }
 
 void read_spotlight(SceneState& state, Arguments& arguments) {
   const Token name = arguments.name_token("the name of a light");
   const Curve spectrum = look_up_light(state.libraries, name, state.warn);
   SpotLight spot;
-  spot.position = state.transform.point(arguments.vector());
+  spot.position = world_position(state, arguments, arguments.vector());
   const SourcePosition locality_at = arguments.reader().peek().where;
   if (!read_is_local(arguments))
     throw ReadError(locality_at, "a spotlight has the locality 0", "a cone begins at a position",
@@ -100,7 +111,7 @@ void read_spotlight(SceneState& state, Arguments& arguments) {
   spot.half_angle = radians(angle_deg);
   spot.full_angle = radians(angle_deg - state.light.soft_edge_deg);
   spot.falloff = state.light.falloff;
-  add_light(state, name.text, spectrum, spot);
+  add_light(state, arguments, name.text, spectrum, spot);
 }
 
 void read_sun(SceneState& state, Arguments& arguments) {
@@ -113,7 +124,7 @@ void read_sun(SceneState& state, Arguments& arguments) {
   if (name_follows(arguments))
     spectrum =
         look_up_light(state.libraries, arguments.name_token("the name of a spectrum"), state.warn);
-  add_light(state, "sun", spectrum,
+  add_light(state, arguments, "sun", spectrum,
             SunLight{-world_direction(state, place), state.light.sun_radius});
 }
 

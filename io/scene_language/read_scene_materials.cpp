@@ -30,7 +30,10 @@ template <Curve Material::* part>
 void read_reflectance(SceneState& state, Arguments& arguments) {
   require_unmixed(state, arguments);
   state.material.finish.*part = rgb_reflectance(read_fraction_rgb(state, arguments));
-  if (part == &Material::diffuse) state.material.finish.texture.reset();
+  if (part == &Material::ambient) state.material.default_ambient = false;
+  if (part != &Material::diffuse) return;
+  state.material.default_diffuse = false;
+  state.material.finish.texture.reset();
 }
 
 void read_emissive(SceneState& state, Arguments& arguments) {
@@ -84,7 +87,7 @@ void read_fresnel(SceneState& state, Arguments& arguments) {
 }
 
 void read_default_materials(SceneState& state, Arguments&) {
-  state.material = CurrentMaterial{};
+  state.material = default_material();
 }
 
 void read_glass_keyword(SceneState& state, Arguments& arguments) {

@@ -2,6 +2,7 @@
 
 #include "core/scene/scene.h"
 #include "io/building/scene_builder.h"
+#include "io/building/setting_effects.h"
 #include "io/meshes/read_mesh.h"
 #include "io/scene_language/input_files.h"
 #include "io/scene_language/read_scene_libraries.h"
@@ -77,12 +78,13 @@ struct SceneState {
   Scene& scene = builder.scene(); ///< for what stands for itself, such as the camera
   SceneLibraries libraries;
   MeshFiles meshes;
-  InputFiles files; ///< all that have been read but the libraries
+  GivenKeywords given; ///< those of the whole scene that may have no effect
+  InputFiles files;    ///< all that have been read but the libraries
   Warn warn;
 
   Transform transform;
   std::vector<PushedTransform> pushed;
-  CurrentMaterial material;
+  CurrentMaterial material = default_material();
   int priority = 0;
   CurrentLight light;
   BooleanScope* boolean = nullptr; ///< the innermost one that is open

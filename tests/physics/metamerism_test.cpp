@@ -1,6 +1,6 @@
-#include "io/libraries/read_lamp.h"
 #include "io/libraries/read_library.h"
 #include "io/libraries/read_materials.h"
+#include "io/libraries/standard_lights.h"
 #include "spectral/color_difference.h"
 #include "spectral/observer.h"
 #include "tests/catch.h"
@@ -13,7 +13,7 @@ using namespace abbe;
 namespace {
 
 Curve lamp(const std::string& name) {
-  return read_lamp({TokenKind::word, name, {}}).value();
+  return standard_light({TokenKind::word, name, {}}).value();
 }
 
 /// How far the two oranges of the scenes are apart, to an eye adapted to the lamps.

@@ -1,8 +1,12 @@
 #include "tests/catch.h"
 #include "tests/render_text.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 using namespace abbe;
 
@@ -48,4 +52,39 @@ TEST_CASE("lossless glass solids are invisible in a white furnace, band by band"
 TEST_CASE("solids within solids are invisible too") {
   CHECK(furnace_error("glass SF11 sphere priority 1 glass N-BK7 push scale 0.5 0.5 0.5 cube pop",
                       "bands 3 exact on") < 5e-5);
+}
+
+// The sum of the parts is 1 at every wavelength, though shapes begin with a diffuse part of 0.8. A
+// path goes one way at each surface, by a chance for all bands at once, so it is right in the mean.
+TEST_CASE("a body that is made transparent by hand is invisible too") {
+  for (const std::string material :
+       {"speedOfLight 1.5 reflectivity 1 transparency 1 ",
+        "thinFilm 400 1.33 speedOfLight 1 transparency 1 reflectivity 1 ", // a soap bubble
+        "fresnel off transparency 1 reflectivity 1 "}) {                   // half of each
+    INFO(material);
+    CHECK(furnace_error(material + "sphere", "bands 3") < 1e-4);
+    const Rendering r = test::render_scene(
+        test::scene_from("background E 1 eye 1.7 1.1 5 lookAt 0 0 0 fieldOfView 20 imageSize 12 12 "
+                         "samples 256 bands 3 maxRecursionDepth 1000 integrator path " +
+                         material + "sphere"),
+        true);
+    double sum = 0.0;
+    for (int y = 0; y < 12; ++y)
+      for (int x = 0; x < 12; ++x)
+        for (int b = 0; b < 3; ++b)
+          sum += r.film.radiance(x, y, b) / (12 * 12 * 3);
+    CHECK(sum == Approx(1.0).epsilon(0.005)); // the default diffuse part would add a tenth and more
+  }
+}
+
+TEST_CASE("a library's colours above 1 count as 1") {
+  const std::string library = std::filesystem::temp_directory_path() /
+                              ("abbe_furnace." + std::to_string(::getpid()) + ".mtl");
+  std::string colours;
+  for (int i = 0; i < 81; ++i)
+    colours += " 100";
+  std::ofstream(library) << "def bright { reflectivity 1 freqBreakdown 81" << colours << " }";
+  CHECK(furnace_error("materials \"" + library + "\" useMaterial bright sphere",
+                      "bands 3 integrator path") < 1e-4);
+  std::filesystem::remove(library);
 }

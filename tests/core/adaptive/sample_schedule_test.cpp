@@ -51,15 +51,21 @@ TEST_CASE("without adaptive sampling there is one round, in passes of 16") {
   CHECK(passes(settings(40, kOff)) == Ends{16, 32, 40});
 }
 
-TEST_CASE("adaptive sampling begins with a quarter and ends at what was asked for") {
+TEST_CASE(
+    "adaptive sampling begins with a quarter, at least four, and ends at what was asked for") {
   CHECK(rounds(settings(1, kOn)) == Ends{1});
-  CHECK(rounds(settings(2, kOn)) == Ends{2});
-  CHECK(rounds(settings(8, kOn)) == Ends{2, 3, 4, 6, 8});
-  CHECK(rounds(settings(16, kOn)) == Ends{4, 6, 8, 12, 16});
-  CHECK(rounds(settings(64, kOn)) == Ends{16, 24, 32, 48, 64});
-  CHECK(rounds(settings(100, kOn)) == Ends{16, 24, 32, 48, 64, 100});
-  CHECK(passes(settings(64, kOn)) == Ends{16, 24, 32, 48, 64});
-  CHECK(passes(settings(128, kOn)) == Ends{16, 24, 32, 48, 64, 80, 96, 112, 128});
+  CHECK(rounds(settings(4, kOn)) == Ends{4});
+  CHECK(rounds(settings(5, kOn)) == Ends{4, 5});
+  CHECK(rounds(settings(8, kOn)) == Ends{4, 8});
+  CHECK(rounds(settings(16, kOn)) == Ends{4, 16});
+  CHECK(rounds(settings(64, kOn)) == Ends{16, 64});
+  CHECK(rounds(settings(100, kOn)) == Ends{16, 100});
+  CHECK(rounds(settings(1024, kOn)) == Ends{256, 1024});
+  CHECK(passes(settings(64, kOn)) == Ends{16, 32, 48, 64});
+  CHECK(passes(settings(20, kOn)) == Ends{4, 16, 20});
+  CHECK(passes(settings(40, kOn)) == Ends{8, 16, 32, 40});
+  CHECK(SampleSchedule::passes(8, 40) == 3);
+  CHECK(SampleSchedule::passes(4, 16) == 1);
   CHECK(SampleSchedule::passes(64, 96) == 2);
   CHECK(SampleSchedule::passes(96, 128) == 2);
   CHECK(SampleSchedule::passes(64, 100) == 3);
@@ -68,6 +74,7 @@ TEST_CASE("adaptive sampling begins with a quarter and ends at what was asked fo
 TEST_CASE("a rendering in a hurry begins with short passes") {
   CHECK(passes(settings(40, kOff, 1.0)) == Ends{1, 2, 4, 8, 16, 32, 40});
   CHECK(passes(settings(64, kOn, 1.0)) == Ends{1, 2, 4, 8, 16, 24, 32, 48, 64});
+  CHECK(rounds(settings(4096, kOn, 1.0)).front() == 16);
 }
 
 TEST_CASE("light paths come for 16 samples at a time, however short the passes") {
@@ -78,12 +85,12 @@ TEST_CASE("light paths come for 16 samples at a time, however short the passes")
   CHECK(SampleSchedule(settings(4096, kOn, 1.0)).end_of_light_pass(1, 2) == 2);
 }
 
-TEST_CASE("tiles may end at 16, 24, 32, 48 ... samples") {
+TEST_CASE("tiles may end at 64, 96, 128, 192 ... samples") {
   const SampleSchedule schedule(settings(4096, kOff));
   Ends ends;
   for (int n = 1; n <= 200; ++n)
     if (schedule.may_end(n)) ends.push_back(n);
-  CHECK(ends == Ends{16, 24, 32, 48, 64, 96, 128, 192});
+  CHECK(ends == Ends{64, 96, 128, 192});
 }
 
 TEST_CASE("adaptive sampling is automatic where there are samples enough") {

@@ -84,6 +84,25 @@ TEST_CASE("a bundle that sets off leaves the surface on the side to which it goe
   }
 }
 
+TEST_CASE("a path remembers whether it has come through, or been sent back, and by what") {
+  using enum Route;
+  for (const Route route : {direct, reflected, through})
+    CHECK(let_through(route) == through);
+  CHECK(let_through(opaque) == opaque);
+  CHECK(sent_back(direct, true) == reflected);
+  CHECK(sent_back(reflected, true) == reflected);
+  CHECK(sent_back(through, true) == through);
+  for (const Route route : {direct, reflected, through, opaque})
+    CHECK(sent_back(route, false) == opaque);
+  AtPlane s;
+  s.bundle.route = reflected;
+  Bundle next;
+  set_off(s.bundle, {0.0, 0.0, -1.0}, true, RayKind::refracted, next);
+  CHECK(next.route == through);
+  set_off(s.bundle, {0.0, 0.0, 1.0}, false, RayKind::reflected, next);
+  CHECK(next.route == reflected);
+}
+
 TEST_CASE("a camera's bundles start traced, on no surface, with their own drift") {
   AtPlane s;
   const CameraBundle starts[2] = {{{0, 5}, 0.5f}, {{5, 81}, 0.25f, 0.1, 0.2}};
@@ -95,7 +114,9 @@ TEST_CASE("a camera's bundles start traced, on no surface, with their own drift"
   bundle.has_pixel_footprint = false;
   bundle.kind = RayKind::scattered;
   bundle.pdf = bundle.path_length = bundle.unseen_length = 9.0;
+  bundle.route = Route::opaque;
   paths.begin(1, bundle);
+  CHECK(bundle.route == Route::direct);
   CHECK(bundle.bands.first == 5);
   CHECK(bundle.bands.last == 81);
   CHECK(bundle.hit.point == s.bundle.hit.point);

@@ -56,7 +56,8 @@ TEST_CASE("a film gives means of colour, bands and coverage, per pixel of its wi
   CHECK(mean.z == Approx(0.4).margin(kQuantum));
   CHECK(film.radiance(12, 21, 0) == 0.5);
   CHECK(film.radiance(12, 21, 1) == 1.0);
-  CHECK(film.alpha(12, 21) == 0.5);
+  CHECK(film.covered_samples(12, 21) == 1);
+  CHECK(film.alpha(12, 21) == 1.0); // as this film does not know what shows through
   CHECK(film.samples(12, 21) == 2);
   for (int y = 20; y < 22; ++y) // and leaves the others alone
     for (int x = 10; x < 13; ++x)
@@ -166,4 +167,18 @@ TEST_CASE("the error of independent samples is that of their mean") {
     }
     CHECK(squares * n == Approx(1.0 / 12.0).epsilon(0.08));
   }
+}
+
+TEST_CASE("alpha is what does not show through, as it is") {
+  std::vector<LayerForm> layers = beauty_layers({.quantum = kQuantum});
+  layers.push_back(transparency_layer());
+  Film film({0, 0, 2, 1}, std::move(layers));
+  CHECK(film.alpha(0, 0) == 0.0); // without samples
+  const LayerId transparency = *film.find(kTransparency);
+  film.add({0, 0, 0, true}, {0.0, 0.0, 0.0}, {});
+  CHECK(film.alpha(0, 0) == 1.0);
+  film.add(transparency, film.add({0, 0, 1, true}, {0.0, 0.0, 0.0}, {}), 0.5);
+  CHECK(film.alpha(0, 0) == 0.75);
+  film.add(transparency, film.add({1, 0, 0, true}, {0.0, 0.0, 0.0}, {}), 1.25); // stands for more
+  CHECK(film.alpha(1, 0) == -0.25);
 }

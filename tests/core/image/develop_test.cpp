@@ -5,8 +5,10 @@
 #include "tests/catch.h"
 #include "tests/render_text.h"
 
-#include <limits>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 using namespace abbe;
 
@@ -20,12 +22,15 @@ struct Picture {
 
 Picture picture(int bands) {
   const Scene scene = test::scene_from("imageSize 8 6 crop 2 3 5 5 bands 3 background E 1");
-  Picture p{make_plan(scene, scene.settings), Film({2, 3, 5, 5}, 0x1p-40, bands)};
+  std::vector<LayerForm> layers = beauty_layers({.quantum = 0x1p-40, .bands = bands});
+  layers.push_back(transparency_layer());
+  Picture p{make_plan(scene, scene.settings), Film({2, 3, 5, 5}, std::move(layers))};
   const std::vector<float> radiance{0.1f, 0.2f, 0.3f};
   for (int y = 3; y < 5; ++y)
     for (int x = 2; x < 5; ++x) {
       const double v = 0.05 * (x + 3 * (y - 3));
-      p.film.add({x, y, 0, x > 2}, Xyz{0.9, 1.0, 0.8} * v, radiance);
+      const Film::Place place = p.film.add({x, y, 0, true}, Xyz{0.9, 1.0, 0.8} * v, radiance);
+      p.film.add(*p.film.find(kTransparency), place, x > 2 ? 0.0 : 1.0);
     }
   return p;
 }
@@ -56,7 +61,7 @@ TEST_CASE("the windows of a crop lie inside the full frame") {
   CHECK(spectral.data == part);
 }
 
-TEST_CASE("scene-linear pixels are the film's colours and coverage, row by row") {
+TEST_CASE("scene-linear pixels are the film's colours and alpha, row by row") {
   const Picture p = picture(0);
   const SceneLinearImage image = develop_scene_linear(p.film, p.plan);
   std::size_t i = 0;
@@ -68,6 +73,41 @@ TEST_CASE("scene-linear pixels are the film's colours and coverage, row by row")
       CHECK(image.rgba[i + 2] == static_cast<float>(c.b));
       CHECK(image.rgba[i + 3] == (x > 2 ? 1.0f : 0.0f));
     }
+}
+
+TEST_CASE("a pixel without samples is black and clear, whatever light paths brought to it") {
+  const Scene scene = test::scene_from("imageSize 2 1 bands 3 background E 1");
+  Film film({0, 0, 2, 1}, beauty_layers({.quantum = 0x1p-40, .splats = true}));
+  film.add({1, 0, 0, true}, {0.0, 0.0, 0.0}, {});
+  for (const int x : {0, 1})
+    film.add_splat(x, 0, {0.9, 1.0, 0.8}, {}, 0.5);
+  film.add_light_passes(1.0);
+  const SceneLinearImage image = develop_scene_linear(film, make_plan(scene, scene.settings));
+  for (const std::size_t i : {0u, 1u, 2u, 3u})
+    CHECK(image.rgba[i] == 0.0f);
+  CHECK(image.rgba[5] > 0.9f);
+  CHECK(image.rgba[7] == 1.0f);
+}
+
+TEST_CASE("what shows through is a layer in the picture's space, in which clear is 1 1 1") {
+  const Scene scene = test::scene_from("imageSize 2 1 bands 3 background E 1");
+  std::vector<LayerForm> layers = beauty_layers({.quantum = 0x1p-40});
+  layers.push_back(transmittance_layer());
+  Film film({0, 0, 2, 1}, std::move(layers));
+  const LayerId layer = *film.find(kTransmittance);
+  const Xyz white = to_xyz(kSrgbWhite, 1.0);
+  film.add(layer, film.add({0, 0, 0, true}, {0.0, 0.0, 0.0}, {}), white);
+  film.add(layer, film.add({1, 0, 0, true}, {0.0, 0.0, 0.0}, {}), 0.5 * white);
+  for (const SceneLinearSpace space : {SceneLinearSpace::rec709, SceneLinearSpace::acescg}) {
+    const SceneLinearImage image =
+        develop_scene_linear(film, make_plan(scene, scene.settings), space);
+    REQUIRE(image.channels.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(image.channels[i].name == std::string("transmittance.") + "RGB"[i]);
+      CHECK(image.channels[i].values[0] == Approx(1.0).epsilon(1e-5));
+      CHECK(image.channels[i].values[1] == Approx(0.5).epsilon(1e-5));
+    }
+  }
 }
 
 TEST_CASE("exposure and gamut change the display image") {
@@ -121,8 +161,7 @@ TEST_CASE("where errors are asked for, samples and the error of the luminance ar
   CHECK(image.channels[0].name == "samples");
   CHECK(image.channels[0].values == std::vector<float>{2.0f, 1.0f});
   CHECK(image.channels[1].name == "error.Y");
-  CHECK(image.channels[1].values ==
-        std::vector<float>{1.0f, std::numeric_limits<float>::infinity()}); // half of 3 - 1
+  CHECK(image.channels[1].values == std::vector<float>{1.0f, 0.0f}); // half of 3 - 1; unknown
 }
 
 TEST_CASE("metadata name every setting that shapes the picture and nothing of the machine") {
@@ -134,8 +173,8 @@ TEST_CASE("metadata name every setting that shapes the picture and nothing of th
   };
   const Metadata plain = metadata([](RenderSettings&) {});
   CHECK(names(plain) == std::set<std::string>{"abbe/integrator", "abbe/bands", "abbe/samples",
-                                              "abbe/seed", "abbe/filter", "abbe/shadows",
-                                              "abbe/depth", "abbe/minThroughput",
+                                              "abbe/seed", "abbe/filter", "abbe/sky",
+                                              "abbe/shadows", "abbe/depth", "abbe/minThroughput",
                                               "abbe/minReflectivity", "abbe/minTransparency",
                                               "abbe/jitter", "abbe/adaptive", "abbe/exact",
                                               "abbe/observer", "abbe/tolerance", "abbe/maxFan"});

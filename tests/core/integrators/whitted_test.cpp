@@ -192,5 +192,5 @@ TEST_CASE("where a ray meets nothing it shows the background") {
   const Film film = look(scene);
   for (int b = 0; b < 81; ++b)
     CHECK(film.radiance(0, 0, b) == Approx(scene.background.at(band_nm(b))).epsilon(1e-5));
-  CHECK(film.alpha(0, 0) == 0.0);
+  CHECK(film.alpha(0, 0) == 1.0);
 }

@@ -17,6 +17,7 @@ using std::numbers::pi;
 struct Flux {
   std::size_t lights = 0;
   double meeting = 0.0;
+  double on_first_shape = 0.0; ///< the part of it that meets the scene's first shape
 };
 
 Flux flux_of(const std::string& text) {
@@ -31,7 +32,10 @@ Flux flux_of(const std::string& text) {
   for (const EmittingLight& light : emission.lights())
     for (int i = 0; i < kPaths; ++i)
       if (const auto ray = light.sample(Sampler(0, 0, static_cast<std::uint32_t>(i), 1)))
-        if (world.closest(ray->state)) flux.meeting += ray->flux / kPaths;
+        if (const auto hit = world.closest(ray->state)) {
+          flux.meeting += ray->flux / kPaths;
+          if (hit->shape == ShapeId{0}) flux.on_first_shape += ray->flux / kPaths;
+        }
   return flux;
 }
 
@@ -84,6 +88,28 @@ TEST_CASE("a square that is seen obliquely sends as much less as it looks smalle
                             "defaultMaterials diffuse 0 0 0 emissive E emissiveSides front\n"
                             "translate 0 0 100 rotate 120 1 0 0 square");
   CHECK(flux.meeting == Approx(2.0 * pi * 1e-4).epsilon(2e-3));
+}
+
+TEST_CASE("a lamp that lies on a card or on glass sends all its light") {
+  // The square above, seen by a far ball at an angle of 30 degrees: etendue times its cosine. The
+  // card and the glass are behind the lamp.
+  const std::string behind[] = {"push scale 3 3 1 square pop",
+                                "glass N-BK7 push translate 0 0 -2 scale 2 2 2 cube pop"};
+  for (const std::string& back : behind)
+    for (const std::string place : {"", "translate 1000 700 -300", "scale 0.0001 0.0001 0.0001"}) {
+      const Flux flux = flux_of(place +
+                                " rotate 25 1 2 3 glass SF11\n"
+                                "push translate 50 0 86.60254037844386 sphere pop\n"
+                                "defaultMaterials specular 0 0 0 diffuse 0 0 0\n" +
+                                back +
+                                "\ndefaultMaterials specular 0 0 0 diffuse 0 0 0 emissive E\n"
+                                "emissiveSides front square");
+      CAPTURE(back, place);
+      // Of the etendue, lengths squared: the scale counts twice.
+      const double scale = place.starts_with("scale") ? 1e-4 : 1.0;
+      CHECK(flux.on_first_shape ==
+            Approx(scale * scale * 4.0 * pi * 1e-4 * std::sqrt(0.75)).epsilon(0.02));
+    }
 }
 
 TEST_CASE("lights that miss all glass send no paths") {

@@ -86,7 +86,7 @@ TEST_CASE("no ray of an empty tile meets a shape, with any filter") {
         if (tile.empty)
           for (int y = tile.window.y0; y < tile.window.y1; ++y)
             for (int x = tile.window.x0; x < tile.window.x1; ++x)
-              covered += all.film.alpha(x, y);
+              covered += all.film.covered_samples(x, y);
       CHECK(covered == 0.0);
     }
 }

@@ -7,6 +7,8 @@
 #include "tests/render_text.h"
 
 #include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -86,8 +88,8 @@ TEST_CASE("samples are what was asked for in the mean, and no pixel goes without
     CHECK(r.complete);
     CHECK(r.open_tiles == 0);
     CHECK(counts.mean == Approx(samples).epsilon(0.03));
-    CHECK(counts.least >= std::min(static_cast<unsigned>(samples), 2u));
-    CHECK(counts.least >= std::min(16u, static_cast<unsigned>(samples) / 8u));
+    CHECK(counts.least >= std::min(static_cast<unsigned>(samples), 4u));
+    CHECK(counts.least >= static_cast<unsigned>(samples) / 8u);
     CHECK(counts.most <= 8.0 * std::sqrt(2.0) * samples); // rounded to a power of two
     if (samples >= 8) CHECK(counts.most > counts.least);
   }
@@ -142,6 +144,34 @@ TEST_CASE("light paths are followed for as many samples as without adaptive samp
         Approx(static_cast<double>(uniform.rays.light)).epsilon(0.02));
 }
 
+// Photon maps are shared by pixels. With other light paths the maps are other maps.
+TEST_CASE("light paths do not decide where samples go") {
+  Scene scene = glass();
+  const Film few = render_with(scene, 32).film;
+  scene.settings.light_paths = 4.0;
+  const Film many = render_with(scene, 32).film;
+  bool differs = false;
+  for_each_pixel(few.window(), [&](int x, int y) {
+    REQUIRE(few.samples(x, y) == many.samples(x, y));
+    differs |= few.mean(*few.find(kBeauty), x, y, 1) != many.mean(*many.find(kBeauty), x, y, 1);
+  });
+  CHECK(differs); // the camera's samples see them
+}
+
+TEST_CASE("a crop of a scene with light paths has the pixels of the whole") {
+  Scene scene = glass();
+  scene.settings.adaptive = AdaptiveSampling::off;
+  const Film whole = render_with(scene, 24).film;
+  scene.settings.crop = PixelWindow{11, 5, 30, 20};
+  const Film crop = render_with(scene, 24).film;
+  for_each_pixel(crop.window(), [&](int x, int y) {
+    const Xyz a = crop.color(x, y), b = whole.color(x, y);
+    REQUIRE(a.x == b.x);
+    REQUIRE(a.y == b.y);
+    REQUIRE(a.z == b.z);
+  });
+}
+
 TEST_CASE("time that is never up leaves adaptive sampling what it is") {
   Scene scene = ball();
   const Rendering plain = render_with(scene, 64);
@@ -162,4 +192,45 @@ TEST_CASE("progress with adaptive sampling grows to 1") {
   };
   CHECK(render(scene, plan, world, {}, {.progress = tell}).complete);
   CHECK(last == 1.0);
+}
+
+// 256 lights of 1/190 of a pixel on black. Their part of what the camera sees is known, and a
+// sample meets a light with just this chance. A pixel has at least a quarter of the mean number of
+// samples, which bounds the variance.
+TEST_CASE("tiny lights keep their light, with adaptive sampling and to a noise target") {
+  Scene scene = test::scene_from(
+      "eye 0 0 10 lookAt 0 0 0 fieldOfView 20 imageSize 64 64 bands 5 integrator path\n"
+      "defaultMaterials diffuse 0 0 0 ambient 0 0 0 emissive E 50\n"
+      "def one { push scale 0.002 0.002 1 square pop translate 0.2071 0.0133 0 }\n"
+      "def four { use one use one use one use one }\n"
+      "def row { push use four use four use four use four pop translate -0.0117 0.2033 0 }\n"
+      "def block { use row use row use row use row }\n"
+      "translate -1.5 -1.7 0 use block use block use block use block\n");
+  const double width = 20.0 * std::tan(10.0 * std::numbers::pi / 180.0);
+  const double chance = 256.0 * 0.004 * 0.004 / (width * width);
+  const auto mean_of = [&](int films) {
+    double sum = 0.0;
+    const double pixels = scene.settings.width * scene.settings.height;
+    for (int i = 0; i < films; ++i) {
+      scene.settings.seed = static_cast<std::uint64_t>(i) + 1;
+      const Film film = test::render_scene(scene, false).film;
+      for_each_pixel(film.window(), [&](int x, int y) { sum += film.color(x, y).y / pixels; });
+    }
+    return sum / films;
+  };
+  for (const int samples : {16, 64}) {
+    scene.settings.adaptive = AdaptiveSampling::on;
+    scene.settings.samples_per_pixel = samples;
+    const int films = 512 / samples;
+    const double least_hits = chance * films * 64 * 64 * samples / 4.0;
+    CHECK(mean_of(films) == Approx(50.0 * chance).epsilon(4.5 / std::sqrt(least_hits)));
+  }
+  scene.settings.adaptive = AdaptiveSampling::off;
+  // Four times the pixels: lights of a fiftieth of a pixel, a few in each tile. Tiles of which none
+  // of the first 64 samples met a light stay black, with less than 1 % of the light. The error of
+  // a film is 0.05 / sqrt(64 tiles) = 0.63 %.
+  scene.settings.width = scene.settings.height = 128;
+  scene.settings.noise = 0.05;
+  scene.settings.samples_per_pixel = 512;
+  CHECK(mean_of(1) == Approx(50.0 * chance).epsilon(0.01 + 4.5 * 0.0063));
 }

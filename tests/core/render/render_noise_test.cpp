@@ -84,12 +84,12 @@ TEST_CASE("tiles end at fixed numbers of samples, where their error is below the
     const bool good = relative_error(r.film, w) <= 0.01;
     CHECK((good || samples == 200));
     above += good ? 0 : 1;
-    if (tile.empty) CHECK(samples == 16); // without noise it is done at once
+    if (tile.empty) CHECK(samples == 64); // without noise it is done at once
   }
   CHECK(r.open_tiles == above);
   CHECK(reached.size() > 2);
   for (const std::uint32_t samples : reached)
-    CHECK(std::set<std::uint32_t>{16, 24, 32, 48, 64, 96, 128, 192, 200}.contains(samples));
+    CHECK(std::set<std::uint32_t>{64, 96, 128, 192, 200}.contains(samples));
 }
 
 TEST_CASE("noise out of reach takes all samples, and says so") {

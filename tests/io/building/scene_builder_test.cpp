@@ -61,11 +61,11 @@ TEST_CASE("materials that differ where no fingerprint looks are still two") {
   b.finish.diffuse = Curve::table({400, 420, 440, 450, 750}, {0.5, 0.9, 0.5, 0.5, 0.5});
   REQUIRE(fingerprint(a.finish) == fingerprint(b.finish));
   SceneBuilder builder;
-  const MaterialId first = builder.add_material(a.finish);
-  const MaterialId second = builder.add_material(b.finish);
+  const MaterialId first = builder.add_material({}, a);
+  const MaterialId second = builder.add_material({}, b);
   CHECK(first != second);
-  CHECK(builder.add_material(a.finish) == first);
-  CHECK(builder.add_material(b.finish) == second);
+  CHECK(builder.add_material({}, a) == first);
+  CHECK(builder.add_material({}, b) == second);
 }
 
 TEST_CASE("zeros of both signs are equal, and so have the same fingerprint") {

@@ -165,3 +165,25 @@ TEST_CASE("the ColorChecker's 24 patches go by their names and by those of ISCC-
   for (const LibraryMaterial& thesis : read_materials(folder + "all.mtl", {}))
     CHECK(find_entry(list, thesis.name) == nullptr); // both libraries can be used together
 }
+
+TEST_CASE("parts of a library above 1 count as 1, but for emission, and are remarked on") {
+  std::string colour;
+  for (int k = 0; k < kSampleCount; ++k)
+    colour += k < 40 ? " 0.5" : " 4";
+  const auto entries = materials_of("def bright { diffuseAmount 0.5 emissiveAmount 3 ambience 0.1\n"
+                                    "freqBreakdown 81" +
+                                    colour +
+                                    " }\n"
+                                    "def plain { diffuseAmount 1.5 }");
+  REQUIRE(entries.size() == 2);
+  const Material bright = finish(entries[0]), plain = finish(entries[1]);
+  CHECK(bright.diffuse.at(sample_nm(0)) == 0.25);
+  CHECK(bright.diffuse.at(sample_nm(80)) == 1.0);
+  CHECK(bright.ambient.at(sample_nm(80)) == Approx(0.4));
+  CHECK(bright.emission.at(sample_nm(80)) == 12.0);
+  CHECK(plain.diffuse.constant_value() == 1.0);
+  CHECK(entries[0].remarks ==
+        std::vector<std::string>{"m.mtl:1:5: diffuseAmount times the colour of bright reaches 2; "
+                                 "above 1 it counts as 1 (nothing reflects more than it gets)"});
+  CHECK(entries[1].remarks.size() == 1);
+}

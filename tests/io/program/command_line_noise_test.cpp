@@ -63,10 +63,10 @@ TEST_CASE("a rendering with a noise target tells how far it went") {
   const Folder folder;
   std::ofstream(folder.path / "scene.sdl")
       << "imageSize 16 12 background E 0.5 light E 2 3 4 1 glass N-BK7 sphere";
-  const std::string r = run(folder, "render scene.sdl --noise 0.9 --spp 40 -o a.exr");
-  CHECK(contains(r, "1 tile, at most 40 samples a pixel"));
+  const std::string r = run(folder, "render scene.sdl --noise 0.9 --spp 100 -o a.exr");
+  CHECK(contains(r, "1 tile, at most 100 samples a pixel"));
   CHECK(contains(r, "plan: each tile ends at an estimated relative error of 0.9"));
-  CHECK(contains(r, "samples a pixel: 16 to 16, mean 16.0; estimated relative error 0."));
+  CHECK(contains(r, "samples a pixel: 64 to 64, mean 64.0; estimated relative error 0."));
   CHECK_FALSE(contains(r, "above the target"));
   const std::string unreached = run(folder, "render scene.sdl --noise 1e-9 --spp 40 -o a.exr");
   CHECK(contains(unreached, "samples a pixel: 40 to 40, mean 40.0"));

@@ -102,5 +102,25 @@ TEST_CASE("what cannot be read is told at the statement that names it") {
   CHECK(scene_error("include /dev/null") ==
         "s.sdl:1:9: \"/dev/null\" cannot be read (it is a device). Name a file that can be read");
   CHECK(scene_error("lights /").find("s.sdl:1:8: \"/\" cannot be read (it is a folder)") == 0);
-  CHECK(scene_error("eye 1e160 0 1e160").find("s.sdl:1:1: eye and lookAt are too far apart") == 0);
+}
+
+TEST_CASE("what is too far off is told at its place") {
+  CHECK(scene_error("sphere eye 1e160 0 1e160") ==
+        "s.sdl:1:8: the eye is too far off (it reaches 1e+160 units from the origin, and rays can "
+        "be followed to 1e+17). Bring it nearer, or measure in larger units");
+  const auto begins = [](const std::string& text, const std::string& message) {
+    const std::string error = scene_error(text);
+    CAPTURE(text, error);
+    CHECK(error.find(message) == 0);
+  };
+  begins("eye 0 0 9\n light 0 1e40 1e40 1 1 1", "s.sdl:2:2: the light is too far off (it reaches");
+  begins("light E 0 2e17 0 1", "s.sdl:1:1: the light is too far off");
+  begins("translate 0 -1e20 0 spotlight E 0 0 0 1 0 1 0 5", "s.sdl:1:21: the light is too far");
+  for (const std::string shape : {"sphere", "cube", "square", "prism", "plane",
+                                  "polyhedron vertices 4 0 0 0 1 0 0 0 1 0 0 0 1"})
+    begins("push translate 1e30 0 0 rotate 90 0 1 0 " + shape + " pop",
+           "s.sdl:1:41: the shape is too far off");
+  begins("scale 1e19 1e19 1e19 union sphere cube", "s.sdl:1:22: the shape is too far off");
+  CHECK_NOTHROW(scene_of("eye 0 0 9e16 light E 0 9e16 0 1 light E 0 1e30 0 0\n"
+                         "push translate 1e30 0 0 plane pop translate 9e16 0 0 sphere"));
 }

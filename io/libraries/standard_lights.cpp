@@ -5,7 +5,7 @@
 //   light line(632.8)      1 0 0  0
 //   light sodium           0 5 0  1
 
-#include "io/libraries/read_lamp.h"
+#include "io/libraries/standard_lights.h"
 
 #include "io/text/read_arguments.h"
 #include "spectral/data_table.h"
@@ -61,7 +61,7 @@ const LampLaw* find_law(std::string_view text) {
 
 } // namespace
 
-std::optional<Curve> read_lamp(const Token& name) {
+std::optional<Curve> standard_light(const Token& name) {
   const std::string_view text = name.text;
   if (const auto illuminant = find_illuminant(text)) return illuminant;
   if (same_name(kSodium, text)) return sodium_lamp();
@@ -70,11 +70,11 @@ std::optional<Curve> read_lamp(const Token& name) {
   return std::nullopt;
 }
 
-bool is_lamp_name(std::string_view name) {
+bool is_standard_light(std::string_view name) {
   return find_illuminant(name) || same_name(kSodium, name) || find_law(name) != nullptr;
 }
 
-std::vector<std::string> lamp_names() {
+std::vector<std::string> standard_light_names() {
   std::vector<std::string> names = illuminant_names();
   names.emplace_back(kSodium);
   for (const LampLaw& law : kLaws)

@@ -1,4 +1,4 @@
-#include "io/libraries/read_lamp.h"
+#include "io/libraries/standard_lights.h"
 
 #include "spectral/illuminant.h"
 #include "spectral/line_lamp.h"
@@ -12,7 +12,7 @@ using namespace abbe;
 namespace {
 
 std::optional<Curve> lamp(const std::string& name) {
-  return read_lamp({TokenKind::word, name, {"s.sdl", 1, 1}});
+  return standard_light({TokenKind::word, name, {"s.sdl", 1, 1}});
 }
 
 } // namespace
@@ -25,12 +25,12 @@ TEST_CASE("lamps by temperature and wavelength need no library") {
   CHECK(lamp("sodium") == sodium_lamp());
   CHECK_FALSE(lamp("neon").has_value());
   CHECK_FALSE(lamp("neon(3)").has_value());
-  for (const std::string& name : lamp_names()) {
+  for (const std::string& name : standard_light_names()) {
     INFO(name);
     CHECK(lamp(name).has_value());
-    CHECK(is_lamp_name(name));
+    CHECK(is_standard_light(name));
   }
-  CHECK_FALSE(is_lamp_name("neon"));
+  CHECK_FALSE(is_standard_light("neon"));
 }
 
 TEST_CASE("lamps stand wherever a light is named") {

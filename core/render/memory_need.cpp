@@ -1,0 +1,75 @@
+#include "core/render/memory_need.h"
+
+#include "core/cameras/placed_camera.h"
+#include "core/film/lost_light.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace abbe {
+namespace {
+
+constexpr std::uint64_t kSum = sizeof(std::int64_t);
+/// Of a picture for screens, encoded and linear, which takes more than the scene-linear one.
+constexpr std::uint64_t kPicture = 6 * sizeof(float);
+/// Counts of all samples and of those that met a surface.
+constexpr std::uint64_t kCounts = 2 * sizeof(std::uint32_t);
+/// What pixels of adaptive sampling are known by: rays and shares, and what finds the shares.
+constexpr std::uint64_t kAdaptive = 44;
+
+std::uint64_t bytes_of(const LayerForm& form, std::uint64_t pixels, const BandPlace& place) {
+  const std::uint64_t bytes = pixels * form.values() * kSum;
+  const bool in_file =
+      form.kind == LayerKind::bands && !place.folder.empty() && bytes > place.largest_in_memory;
+  const std::uint64_t resident =
+      in_file ? std::min<std::uint64_t>(bytes, FileBackedSums::kResidentBytes) : bytes;
+  return form.strata ? 2 * resident : resident;
+}
+
+std::uint64_t tile_bytes(std::uint64_t tiles) {
+  return tiles * (sizeof(Tile) + sizeof(PixelWindow));
+}
+
+} // namespace
+
+std::vector<LayerForm> film_layers(const Scene& scene, const Plan& plan,
+                                   const std::optional<BandPlace>& bands) {
+  const bool splats = plan.caustics && connects(scene.camera.kind);
+  std::vector<LayerForm> layers =
+      beauty_layers({.quantum = plan.quantum,
+                     .bands = bands ? plan.grid.count() : 0,
+                     .errors = plan.settings.needs_errors(),
+                     .splats = splats,
+                     .evidence = plan.caustics && plan.settings.adaptive == AdaptiveSampling::on});
+  if (plan.sky.lets_through) layers.push_back(transparency_layer());
+  if (plan.sky.tints) layers.push_back(transmittance_layer());
+  if (plan.settings.max_depth < kNoDepthLimit)
+    for (LayerForm& layer : lost_light_layers(plan.quantum, splats))
+      layers.push_back(std::move(layer));
+  return layers;
+}
+
+std::uint64_t memory_need(const Scene& scene, const Plan& plan,
+                          const std::optional<BandPlace>& bands) {
+  const std::uint64_t pixels = plan.window.pixel_count();
+  std::uint64_t bytes = tile_bytes(plan.tiles.size());
+  bool strata = false;
+  for (const LayerForm& form : film_layers(scene, plan, bands)) {
+    bytes += bytes_of(form, pixels, bands.value_or(BandPlace{}));
+    strata = strata || form.strata;
+  }
+  std::uint64_t per_pixel = kCounts + kPicture;
+  if (strata) per_pixel += sizeof(PixelStrata);
+  if (plan.settings.adaptive == AdaptiveSampling::on) per_pixel += kAdaptive;
+  return bytes + pixels * per_pixel;
+}
+
+std::uint64_t least_memory_need(const RenderSettings& settings) {
+  const PixelWindow window =
+      settings.crop.value_or(PixelWindow{0, 0, settings.width, settings.height});
+  if (window.width() <= 0 || window.height() <= 0) return 0; // the plan says what is wrong
+  const std::uint64_t pixels = window.pixel_count();
+  return pixels * (3 * kSum + kCounts + kPicture);
+}
+
+} // namespace abbe

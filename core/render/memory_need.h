@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/film/film.h"
+#include "core/plan/plan.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace abbe {
+
+/// The layers of the film of a rendering, which keeps the sums of all bands where `bands` says
+/// where to.
+[[nodiscard]] std::vector<LayerForm> film_layers(const Scene& scene, const Plan& plan,
+                                                 const std::optional<BandPlace>& bands);
+
+// How many bytes a rendering takes at its peak, beside the scene and what threads have of their
+// own: its film, what adaptive sampling knows of each pixel, its tiles, and the largest of the
+// pictures that are made of the film.
+
+[[nodiscard]] std::uint64_t memory_need(const Scene& scene, const Plan& plan,
+                                        const std::optional<BandPlace>& bands);
+/// The least that it can be, as far as settings alone tell, which have no plan yet.
+[[nodiscard]] std::uint64_t least_memory_need(const RenderSettings& settings);
+
+} // namespace abbe

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace abbe {
+
+/// How many bytes of memory this process may still take, as far as the system tells: what the
+/// machine has free or could free, less where the process's group (cgroup) or the process itself
+/// has a limit. The largest number where nothing tells.
+[[nodiscard]] std::uint64_t available_memory();
+
+/// Such as "3.5 GiB" or "20 MiB".
+[[nodiscard]] std::string memory_text(std::uint64_t bytes);
+
+} // namespace abbe

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace abbe {
+
+/// Throws UserError where a rendering needs more memory than the limit, which is what is available
+/// where the user gives none. It tells both.
+void check_memory(std::uint64_t need, std::optional<double> limit_gib);
+
+} // namespace abbe
