@@ -47,6 +47,9 @@ public:
     return true;
   }
 
+  /// Lets none wait any more.
+  void clear() { count_ = 0; }
+
   [[nodiscard]] std::size_t size() const { return count_; }
 
 private:

@@ -93,6 +93,10 @@ public:
   /// or down, so that the mean is right for splats that are much smaller than the quantum. The film
   /// must have splats.
   void add_splat(int x, int y, const Xyz& color, std::span<const float> radiance, double u);
+  /// The same in a layer of colours.
+  void splat(LayerId layer, int x, int y, const Xyz& color, double u) {
+    at(layer).splat(window_.index(x, y), color, u, refused_);
+  }
   /// Counts the light paths whose splats were added, in passes; parts of a pass are rounded to
   /// 2^-32.
   void add_light_passes(double passes);

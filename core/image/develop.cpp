@@ -75,6 +75,8 @@ std::vector<ImageChannel> transmittance_channels(const Film& film, LayerId layer
 SceneLinearImage develop_scene_linear(const Film& film, const Plan& plan, SceneLinearSpace space) {
   SceneLinearImage image{full_window(plan), film.window(), linear_rgba(film, film.window(), space),
                          render_metadata(plan), space};
+  for (auto& entry : lost_metadata(film))
+    image.metadata.push_back(std::move(entry));
   if (const auto layer = film.find(kTransmittance))
     image.channels = transmittance_channels(film, *layer, space);
   if (!plan.settings.reports_errors()) return image;

@@ -1,5 +1,6 @@
 #include "core/image/metadata.h"
 
+#include "core/film/lost_light.h"
 #include "core/scene/setting_table.h"
 
 #include <fmt/format.h>
@@ -23,6 +24,12 @@ Metadata metadata_of(std::span<const Row> table, const Settings& settings) {
 
 Metadata render_metadata(const Plan& plan) {
   return metadata_of(render_setting_table(), plan.settings);
+}
+
+Metadata lost_metadata(const Film& film) {
+  const auto lost = lost_share(film);
+  if (!lost) return {};
+  return {{"abbe/depthTook", fmt::format("{:.3g} +- {:.2g}", lost->share, lost->error)}};
 }
 
 Metadata display_metadata(const DisplaySettings& settings, Observer observer) {

@@ -35,6 +35,8 @@ protected:
 
   /// Takes up the bundle that came last to wait. False when none waits.
   [[nodiscard]] bool take() { return waiting_.take(carried_); }
+  /// Leaves the path as it is.
+  void give_up() { waiting_.clear(); }
   /// Finds what the bundle's ray meets.
   void extend() { abbe::extend(bundle(), world_, *counts_); }
   /// The bundle waits for its next turn. Until then there is no current one.

@@ -3,22 +3,44 @@
 #include "core/bundles/bundle.h"
 #include "core/bundles/statistics.h"
 #include "core/film/radiance_sums.h"
+#include "core/integrators/beyond_limit.h"
 #include "core/sampling/sampler.h"
 
+#include <functional>
+
 namespace abbe {
+
+/// Tells whether a rendering is to end, to whoever is in the middle of a long path.
+using IsOver = std::function<bool()>;
 
 /// Finds the light that camera rays see. One object serves one thread; it keeps the memory of its
 /// paths.
 class CameraIntegrator {
 public:
-  CameraIntegrator() = default;
+  explicit CameraIntegrator(const Plan& plan) : beyond_(plan) {}
   CameraIntegrator(const CameraIntegrator&) = delete;
   CameraIntegrator& operator=(const CameraIntegrator&) = delete;
   virtual ~CameraIntegrator() = default;
 
-  /// Follows the bundles of one camera sample and adds what they see to `sums`.
-  virtual void trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
+  /// Follows the bundles of one camera sample and adds what they see to `sums`. Returns false where
+  /// it gave up, since the rendering is to end; then the sample is of no use.
+  virtual bool trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
                      RayCounts& counts) = 0;
+
+  /// What the last sample would have brought from beyond the depth limit.
+  [[nodiscard]] const BeyondLimit& beyond() const { return beyond_; }
+  /// Long paths ask this now and then. Keeps a reference.
+  void end_with(const IsOver& is_over) { is_over_ = &is_over; }
+
+protected:
+  /// To be asked for each ray.
+  [[nodiscard]] bool gives_up() { return (++rays_ & 0xffu) == 0 && is_over_ && (*is_over_)(); }
+
+  BeyondLimit beyond_;
+
+private:
+  const IsOver* is_over_ = nullptr;
+  std::uint32_t rays_ = 0;
 };
 
 } // namespace abbe

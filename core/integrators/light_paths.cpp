@@ -1,11 +1,14 @@
 #include "core/integrators/light_paths.h"
 
+#include "core/film/lost_light.h"
 #include "core/integrators/absorption.h"
+#include "core/integrators/beyond_limit.h"
 #include "core/integrators/straight_on.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace abbe {
 namespace {
@@ -37,8 +40,9 @@ FilteredPixel filtered_pixel(PixelFilter filter, double place, double u) {
 LightPaths::LightPaths(const Plan& plan, const World& world, const Emission& emission,
                        const PlacedCamera* camera, Film& film)
     : RandomWalk(plan, world, camera ? camera->pixel_angle() : 0.0, Transport::flux),
-      emission_(emission), camera_(camera), film_(film), to_camera_(plan, world), sums_(plan),
-      light_(plan.stride) {}
+      emission_(emission), camera_(camera), film_(film), lost_splats_(film.find(kLostSplats)),
+      to_camera_(plan, world), sums_(plan), light_(plan.stride),
+      limit_(depth_limit(plan.settings)) {}
 
 void LightPaths::trace(const EmittedRay& ray, const Sampler& sampler, double share,
                        PhotonBatch* photons, double photon_share, RayCounts& counts) {
@@ -48,6 +52,9 @@ void LightPaths::trace(const EmittedRay& ray, const Sampler& sampler, double sha
   share_ = share;
   photons_ = photons;
   photon_share_ = photon_share;
+  // One number decides for all of its branches.
+  goes_beyond_ = limit_ < std::numeric_limits<int>::max() &&
+                 sampler.decisions(1).next() * BeyondLimit::kOneIn < 1.0;
   if (!start(ray)) return;
   wait();
   while (take()) {
@@ -89,7 +96,7 @@ bool LightPaths::arrive() {
 
 void LightPaths::shade() {
   const Hit& hit = bundle().hit;
-  if (!hit.met() || bundle().depth >= plan_.settings.max_depth) return;
+  if (!hit.met() || (beyond_limit() && !goes_beyond_)) return;
   if (!arrive()) return wait();
   const MaterialPlan& material = find_material();
   // Light that comes straight from its light, or that a surface has just scattered other than
@@ -165,9 +172,17 @@ void LightPaths::splat(const Hit& hit) {
     light[b] *= carried[b] * (arriving ? arriving[b] : 1.0f);
   if (!arriving)
     absorb(plan_.medium(through ? hit.medium_after : hit.medium_before), distance, light);
-  const double weight = flux_ * share_ * column.weight * row.weight / seen->inverse_importance;
+  const double stands_for = beyond_limit() ? BeyondLimit::kOneIn : 1.0;
+  const double weight =
+      stands_for * flux_ * share_ * column.weight * row.weight / seen->inverse_importance;
   sums_.clear();
   sums_.add(source_, light, ones_, static_cast<float>(weight));
+  if (beyond_limit()) {
+    if (lost_splats_)
+      film_.splat(*lost_splats_, column.pixel, row.pixel,
+                  lost_light(sums_.color().y, plan_.quantum), numbers(kSplatRounding).x);
+    return;
+  }
   ++counts_->splats;
   film_.add_splat(column.pixel, row.pixel, sums_.color(),
                   film_.bands() > 0 ? sums_.radiance() : std::span<const float>(),
@@ -181,8 +196,11 @@ void LightPaths::keep(const Hit& hit) {
   photon.normal = hit.entering ? hit.normal : -hit.normal;
   photon.shape = hit.shape;
   photon.source = source_;
-  ++counts_->photons;
-  photons_->add(photon, throughput(), flux_ * photon_share_);
+  photon.depth = bundle().depth;
+  photon.beyond_limit = beyond_limit();
+  counts_->photons += photon.beyond_limit ? 0 : 1;
+  const double stands_for = photon.beyond_limit ? BeyondLimit::kOneIn : 1.0;
+  photons_->add(photon, throughput(), stands_for * flux_ * photon_share_);
 }
 
 } // namespace abbe

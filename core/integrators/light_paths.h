@@ -33,6 +33,7 @@ private:
   bool arrive();
   /// Leaves the traced bundle's light where it has arrived. What goes on from there waits.
   void shade();
+  [[nodiscard]] bool beyond_limit() const { return bundle().depth >= limit_; }
   void splat(const Hit& hit);
   void keep(const Hit& hit);
   void branch_off_to_specular(const Hit& hit);
@@ -40,12 +41,15 @@ private:
   const Emission& emission_;
   const PlacedCamera* camera_;
   Film& film_;
+  std::optional<LayerId> lost_splats_;
   ShadowRays to_camera_;
   RadianceSums sums_;
   std::vector<float> light_; ///< scratch
   int source_ = 0;
   double flux_ = 0.0, share_ = 0.0, photon_share_ = 0.0;
   PhotonBatch* photons_ = nullptr;
+  int limit_;                ///< of depth
+  bool goes_beyond_ = false; ///< whether the path goes on where the depth limit ends it
 };
 
 } // namespace abbe

@@ -3,6 +3,7 @@
 #include "core/integrators/tree_growth.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace abbe {
 namespace {
@@ -14,16 +15,29 @@ constexpr double kBranchShare = 1.0 / 32.0;
 
 Path::Path(const Plan& plan, const World& world, const Lights& lights,
            const LightPasses* light_passes, double pixel_angle)
-    : RandomWalk(plan, world, pixel_angle, Transport::radiance), lights_(lights),
-      photons_(light_passes ? &light_passes->map() : nullptr),
+    : CameraIntegrator(plan), RandomWalk(plan, world, pixel_angle, Transport::radiance),
+      lights_(lights), photons_(light_passes ? &light_passes->map() : nullptr),
       emission_(light_passes ? &light_passes->emission() : nullptr),
       found_otherwise_(light_passes || plan.settings.shadows == ShadowRule::attenuated),
       shadow_rays_(plan, world), single_scatter_(lights, plan, world), sky_(plan, lights),
-      light_(plan.stride) {}
+      light_(plan.stride), kept_(plan.stride) {}
 
-void Path::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
+/// Does a step of a path beyond the depth limit: with its own counts and sums.
+template <class Step>
+void Path::aside(Step&& step) {
+  RayCounts* const counts = std::exchange(counts_, &beyond_.rays);
+  RadianceSums* const sums = std::exchange(sums_, &beyond_.sums);
+  single_scatter_.send_to(*sums_, *counts_);
+  step();
+  sums_ = sums;
+  counts_ = counts;
+  single_scatter_.send_to(*sums_, *counts_);
+}
+
+bool Path::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
                  RayCounts& counts) {
   begin(sampler, counts);
+  beyond_.begin_path(sampler);
   single_scatter_.begin_path(sampler, wavelengths_, sums, counts);
   sums_ = &sums;
   for (std::size_t i = 0; i < start.count; ++i) {
@@ -34,20 +48,43 @@ void Path::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums&
       row[b] = plan_.live[static_cast<std::size_t>(b)] * start.bundles[i].weight;
     wait();
     while (take()) {
+      if (gives_up()) {
+        give_up();
+        return false;
+      }
+      if (bundle().depth > beyond_.limit) [[unlikely]] {
+        aside([&] {
+          extend();
+          shade();
+        });
+        continue;
+      }
       extend();
       shade();
     }
   }
+  return true;
 }
 
 void Path::shade() {
   if (!single_scatter_.arrive(bundle(), throughput())) return wait();
   gather();
   if (!bundle().hit.met()) return;
-  if (bundle().depth < plan_.settings.max_depth)
-    go_on();
-  else
-    look_through();
+  if (bundle().depth != beyond_.limit) return go_on();
+  if (beyond_.chosen()) go_on_beyond();
+  look_through();
+}
+
+/// The path goes on beyond the limit, and stays as it is.
+void Path::go_on_beyond() {
+  const Bundle here = bundle();
+  const BandRange bands = here.bands;
+  const float* row = throughput().data;
+  std::copy(row + bands.first, row + bands.last, kept_.begin() + bands.first);
+  aside([&] { go_on(); });
+  bundle() = here;
+  std::copy(kept_.begin() + bands.first, kept_.begin() + bands.last,
+            throughput().data + bands.first);
 }
 
 /// A pane does not end the path, however many surfaces it has met: only what it reflects is lost.
@@ -110,6 +147,7 @@ void Path::go_on() {
   case ScatterKind::refract:
     return refract(on.chance);
   case ScatterKind::pass:
+    if (bundle().depth == beyond_.limit) return; // the limit does not end it
     return pass(on.chance);
   case ScatterKind::nonspecular:
     break;
@@ -179,8 +217,13 @@ void Path::look_up_photons(const Hit& hit) {
         if (!(scattering_.evaluate(-photon.direction, light.data) > 0.0)) return;
         for (int b = light.bands.first; b < light.bands.last; ++b)
           light[b] *= carried[b] * flux[b - photon.bands.first];
-        sums_->add_mapped(photon.source, light, ones_,
-                          static_cast<float>(photons_->density_factor() / cosine));
+        // The surfaces that the photon has met count as well.
+        const bool ends =
+            bundle().depth + 1 + photon.depth > beyond_.limit && sums_ != &beyond_.sums;
+        RadianceSums& sums = ends ? beyond_.sums : *sums_;
+        const double share = ends ? 1.0 / BeyondLimit::kOneIn : 1.0;
+        sums.add_mapped(photon.source, light, ones_,
+                        static_cast<float>(share * photons_->density_factor() / cosine));
       });
 }
 

@@ -26,7 +26,7 @@ public:
   Path(const Plan& plan, const World& world, const Lights& lights, const LightPasses* light_passes,
        double pixel_angle);
 
-  void trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
+  bool trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
              RayCounts& counts) override;
 
 private:
@@ -38,6 +38,9 @@ private:
   void go_on();
   /// The same where the path has met as many surfaces as it may.
   void look_through();
+  void go_on_beyond();
+  template <class Step>
+  void aside(Step&& step);
   [[nodiscard]] Scattering::Choice branch();
   void sample_light(const Hit& hit);
   void look_up_photons(const Hit& hit);
@@ -56,6 +59,7 @@ private:
   SkyView sky_;
   RadianceSums* sums_ = nullptr;
   std::vector<float> light_; ///< scratch: what one source gives
+  std::vector<float> kept_;  ///< scratch: a throughput that is needed again
 };
 
 } // namespace abbe

@@ -60,7 +60,12 @@ void PhotonMap::build(std::span<PhotonBatch> batches, double radius) {
   }
   photons_.resize(count);
   flux_.resize(values);
-  begins_.assign(std::bit_ceil(std::max<std::size_t>(count, 1)) + 1, 0);
+  // What lies beyond the depth limit must not change the cells, which set the order of the others.
+  std::size_t within = 0;
+  for (const PhotonBatch& batch : batches)
+    within +=
+        static_cast<std::size_t>(std::ranges::count(batch.photons, false, &Photon::beyond_limit));
+  begins_.assign(std::bit_ceil(std::max<std::size_t>(within, 1)) + 1, 0);
 
   // Sorted by counting, which keeps the order of photons in a cell.
   std::vector<std::uint32_t> cell(count);

@@ -19,8 +19,11 @@ struct Photon {
   dvec3 direction{0.0}; ///< of travel, unit
   dvec3 normal{0.0};    ///< unit, on the side that the light comes from
   BandRange bands;
-  ShapeId shape;        ///< where it has landed
-  int source = 0;       ///< index into Plan::sources, whose spectrum the flux multiplies
+  ShapeId shape;  ///< where it has landed
+  int source = 0; ///< index into Plan::sources, whose spectrum the flux multiplies
+  int depth = 0;  ///< how many surfaces its light has met before
+  /// It has met as many as the depth limit allows: it counts in what the limit takes alone.
+  bool beyond_limit = false;
   std::size_t flux = 0; ///< where its flux per band begins
 };
 

@@ -17,14 +17,15 @@ constexpr double kFewest = 4.0;
 double first_photon_radius(std::span<const PhotonBatch> batches, double largest) {
   std::size_t count = 0;
   for (const PhotonBatch& batch : batches)
-    count += batch.photons.size();
+    count +=
+        static_cast<std::size_t>(std::ranges::count(batch.photons, false, &Photon::beyond_limit));
   // Every so many of them stands for those beside it.
   const std::size_t step = (count + kMostCompared - 1) / kMostCompared;
   std::vector<dvec3> places;
   std::size_t i = 0;
   for (const PhotonBatch& batch : batches)
     for (const Photon& photon : batch.photons)
-      if (i++ % step == 0) places.push_back(photon.position);
+      if (!photon.beyond_limit && i++ % step == 0) places.push_back(photon.position);
   if (places.size() < 2) return largest;
 
   // Photons lie on surfaces: their number grows with the square of the distance.

@@ -31,6 +31,12 @@ public:
   void begin_path(const Sampler& sampler, PathWavelengths& wavelengths, RadianceSums& sums,
                   RayCounts& counts);
 
+  /// From now on drops send their light to `sums`.
+  void send_to(RadianceSums& sums, RayCounts& counts) {
+    sums_ = &sums;
+    counts_ = &counts;
+  }
+
   /// Takes a bundle along its ray, which has been traced, to what the ray meets. Its throughput
   /// arrives there less what the medium absorbs, and what drops on the way send is added. False
   /// where the ray has met a boundary of drops, which is not seen itself: the bundle then goes on

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace abbe {
 namespace {
@@ -28,10 +29,10 @@ constexpr double kFaint = 1e-3;
 
 Whitted::Whitted(const Scene& scene, const Plan& plan, const World& world, const Lights& lights,
                  double pixel_angle)
-    : BundleWalk(plan, world, pixel_angle, Transport::radiance), scene_(scene),
-      shadow_rays_(plan, world), single_scatter_(scene, plan, world), sky_(plan, lights),
-      reflected_(plan.stride), transmitted_(plan.stride), textured_(0.0f, plan.grid.count()),
-      lit_(plan.stride), coated_(plan.stride) {}
+    : CameraIntegrator(plan), BundleWalk(plan, world, pixel_angle, Transport::radiance),
+      scene_(scene), shadow_rays_(plan, world), single_scatter_(scene, plan, world),
+      sky_(plan, lights), reflected_(plan.stride), transmitted_(plan.stride),
+      textured_(0.0f, plan.grid.count()), lit_(plan.stride), coated_(plan.stride) {}
 
 void Whitted::start(const CameraPaths& paths, std::size_t i) {
   paths.begin(i, bundle());
@@ -42,18 +43,43 @@ void Whitted::start(const CameraPaths& paths, std::size_t i) {
   wait();
 }
 
-void Whitted::trace(const CameraPaths& paths, const Sampler& sampler, RadianceSums& sums,
+/// Does a step of a path beyond the depth limit: with its own decisions, counts and sums.
+template <class Step>
+void Whitted::aside(Step&& step) {
+  RayCounts* const counts = std::exchange(counts_, &beyond_.rays);
+  std::swap(decisions_, beyond_.decisions);
+  step();
+  std::swap(decisions_, beyond_.decisions);
+  counts_ = counts;
+}
+
+bool Whitted::trace(const CameraPaths& paths, const Sampler& sampler, RadianceSums& sums,
                     RayCounts& counts) {
+  beyond_.begin_path(sampler);
   decisions_ = sampler.decisions();
   begin_path(sampler.pair(kWavelength), counts);
   single_scatter_.begin_path(sampler, wavelengths_, sums, counts);
   for (std::size_t i = paths.count; i-- > 0;) {
     start(paths, i);
     while (take()) {
+      if (gives_up()) {
+        give_up();
+        return false;
+      }
+      if (bundle().depth > beyond_.limit) [[unlikely]] {
+        aside([&] {
+          single_scatter_.send_to(beyond_.sums, beyond_.rays);
+          extend();
+          shade_ray(beyond_.sums, beyond_.rays);
+          single_scatter_.send_to(sums, counts);
+        });
+        continue;
+      }
       extend();
       shade_ray(sums, counts);
     }
   }
+  return true;
 }
 
 void Whitted::shade_ray(RadianceSums& sums, RayCounts& counts) {
@@ -162,13 +188,25 @@ double Whitted::deep_chance(double importance) const {
 void Whitted::scatter(const Bundle& bundle, const MaterialPlan& material) {
   BsdfFacts facts = facts_of(material.bsdf);
   lets_light_through_ = facts.transmits || facts.passes;
-  if (bundle.depth >= plan_.settings.max_depth) facts.reflects = facts.transmits = false;
+  // A pane is not counted, so the limit does not end what goes straight through.
+  const bool ends = bundle.depth == beyond_.limit && (facts.reflects || facts.transmits);
+  const bool followed = ends && beyond_.chosen();
+  if (ends && !followed) facts.reflects = facts.transmits = false;
   if (!facts.reflects && !facts.transmits && !facts.passes) return;
   const Hit& hit = bundle.hit;
   Incidence in = surface_incidence(material.bsdf, hit, bundle.bands, wavelengths_);
   in.wo = {0.0, 0.0, std::abs(glm::dot(hit.normal, bundle.state.ray.direction))};
   specular_factors(material.bsdf, in, {reflected_.data(), transmitted_.data()});
-  if (bundle.surfaces() >= kSurfacesOfTree) return choose_branches(facts);
+  if (!followed) return go_on(facts);
+  BsdfFacts beyond = facts, within = facts;
+  beyond.passes = within.reflects = within.transmits = false;
+  aside([&] { go_on(beyond); });
+  if (within.passes) go_on(within);
+}
+
+/// What goes on from the bundle's hit waits.
+void Whitted::go_on(const BsdfFacts& facts) {
+  if (bundle().surfaces() >= kSurfacesOfTree) return choose_branches(facts);
   if (facts.reflects) reflect();
   if (facts.transmits) refract();
   if (facts.passes) pass();

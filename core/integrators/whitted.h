@@ -21,7 +21,7 @@ public:
   Whitted(const Scene& scene, const Plan& plan, const World& world, const Lights& lights,
           double pixel_angle);
 
-  void trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
+  bool trace(const CameraPaths& start, const Sampler& sampler, RadianceSums& sums,
              RayCounts& counts) override;
 
 private:
@@ -44,6 +44,9 @@ private:
   void pass();
   void go_straight_on(double weight);
   void choose_branches(const BsdfFacts& facts);
+  void go_on(const BsdfFacts& facts);
+  template <class Step>
+  void aside(Step&& step);
   [[nodiscard]] double brought(const float* factors, MediumId medium);
   [[nodiscard]] double faint_chance(double importance) const;
   [[nodiscard]] double chance(double importance) const;

@@ -48,7 +48,7 @@ void CameraStart::add(const dvec2& film, const Sampler& sampler) {
 }
 
 CameraPaths CameraStart::paths(std::size_t sample, const Hit* hits) const {
-  const std::size_t first = sample == 0 ? 0 : ends_[sample - 1];
+  const std::size_t first = first_state(sample);
   return {bundles_.data() + first, states_.data() + first, hits + first, ends_[sample] - first};
 }
 

@@ -27,6 +27,10 @@ public:
 
   /// The rays of all samples of the batch.
   [[nodiscard]] std::span<const RayState> states() const { return states_; }
+  /// The number of the first ray of a sample of the batch.
+  [[nodiscard]] std::size_t first_state(std::size_t sample) const {
+    return sample == 0 ? 0 : ends_[sample - 1];
+  }
   /// The bundles of a sample of the batch, given what all rays of the batch meet.
   [[nodiscard]] CameraPaths paths(std::size_t sample, const Hit* hits) const;
 

@@ -71,8 +71,8 @@ private:
   /// The samples of a pass in a tile that has come so far.
   [[nodiscard]] PassSamples samples_of(const TileState& tile, int last) const;
   /// Renders one pass of a tile and decides by its pixels alone whether it is done: the same bytes
-  /// on any number of threads.
-  void render_tile(OpenTile& tile, int last, TileRenderer& renderer);
+  /// on any number of threads. False when it was over before.
+  bool render_tile(OpenTile& tile, int last, TileRenderer& renderer);
   /// Renders one pass of all open tiles. False when some of them were left.
   bool render_pass(int last);
 
@@ -168,15 +168,19 @@ PassSamples RangeRenderer::samples_of(const TileState& tile, int last) const {
   return {state_.allocation, SampleSchedule::passes(state_.done, state_.round_end)};
 }
 
-void RangeRenderer::render_tile(OpenTile& tile, int last, TileRenderer& renderer) {
-  if (tile.state->samples >= last) return; // before it was stopped
+bool RangeRenderer::render_tile(OpenTile& tile, int last, TileRenderer& renderer) {
+  if (tile.state->samples >= last) return true; // before it was stopped
   const PixelWindow& window = tile.tile->window;
   const auto pixels = static_cast<double>(window.pixel_count());
-  std::uint64_t rendered = 0;
-  const RayCounts rays =
-      renderer.render(*tile.tile, samples_of(*tile.state, last), control_.record, rendered);
+  const PassProgress pass =
+      renderer.render(*tile.tile, samples_of(*tile.state, last), tile.state->left, control_.record);
+  if (pass.rendered > 0) state_.film.touched(window.pixel_count());
+  if (!pass.whole) {
+    meter_.add(pass.rays);
+    return false;
+  }
   tile.state->samples = last;
-  if (rendered > 0) state_.film.touched(window.pixel_count());
+  tile.state->left = {};
   const int expected = tile.expected;
   tile.expected = std::max(expected, last);
   if (settings_.noise > 0.0 && (schedule_.may_end(last) || last == settings_.samples_per_pixel)) {
@@ -185,19 +189,19 @@ void RangeRenderer::render_tile(OpenTile& tile, int last, TileRenderer& renderer
     tile.expected =
         tile.state->ended ? last : expected_samples(error, last, settings_.noise, range_.last);
   }
-  meter_.step(rays, static_cast<double>(rendered), pixels * (tile.expected - expected));
+  meter_.step(pass.rays, static_cast<double>(pass.rendered), pixels * (tile.expected - expected));
+  return true;
 }
 
 bool RangeRenderer::render_pass(int last) {
+  const IsOver is_over = [this] { return over(); };
   std::atomic<std::size_t> rendered = 0;
   arena_.execute([&] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, open_.size(), 1), [&](const auto& range) {
       const DenormalsOff denormals_off;
-      TileRenderer renderer(context_, state_.film, state_.pixel_rays);
-      for (std::size_t i = range.begin(); i < range.end() && !over(); ++i) {
-        render_tile(open_[i], last, renderer);
-        ++rendered;
-      }
+      TileRenderer renderer(context_, state_.film, state_.pixel_rays, is_over);
+      for (std::size_t i = range.begin(); i < range.end() && !over(); ++i)
+        rendered += render_tile(open_[i], last, renderer) ? 1 : 0;
     });
   });
   return rendered == open_.size();

@@ -12,10 +12,17 @@
 
 namespace abbe {
 
+/// Where a tile was left within a pass: so many pixels, row by row, have had all their samples of
+/// the pass, and the next one has had so many.
+struct LeftPass {
+  std::uint32_t pixels = 0, samples = 0;
+};
+
 /// How far a tile of the plan has come.
 struct TileState {
   int samples = 0;    ///< its pixels have had all samples before this one, in the mean
   bool ended = false; ///< it needs no more
+  LeftPass left = {}; ///< of the next pass
 };
 
 /// All that a rendering has come to: plain values, from which it goes on as if it had never been

@@ -1,5 +1,6 @@
 #include "core/render/tile_renderer.h"
 
+#include "core/film/lost_light.h"
 #include "core/integrators/path.h"
 #include "core/integrators/whitted.h"
 
@@ -27,35 +28,45 @@ RenderContext::RenderContext(const Scene& the_scene, const Plan& the_plan, const
 }
 
 TileRenderer::TileRenderer(const RenderContext& context, Film& film,
-                           std::span<std::uint32_t> pixel_rays)
+                           std::span<std::uint32_t> pixel_rays, const IsOver& is_over)
     : plan_(context.plan), world_(context.world), film_(film),
       transparency_(film.find(kTransparency)), transmittance_(film.find(kTransmittance)),
-      pixel_rays_(pixel_rays), integrator_(make_integrator(context)),
+      pixel_rays_(pixel_rays), integrator_(make_integrator(context)), is_over_(is_over),
       sums_(plan_, film.find(kEvidence).has_value()), evidence_(film.find(kEvidence)),
-      start_(plan_, context.camera) {}
+      lost_(film.find(kLost)), start_(plan_, context.camera) {
+  integrator_->end_with(is_over);
+}
 
-SampleRange PassSamples::of(const Film& film, int x, int y) const {
+SampleRange PassSamples::of(const Film& film, int x, int y, int already) const {
   if (allocation_.empty()) return all_;
   const auto wanted = static_cast<int>(allocation_[film.window().index(x, y)]);
-  const auto has = static_cast<int>(film.samples(x, y));
+  const int has = static_cast<int>(film.samples(x, y)) - already;
   return {has, has + (std::max(wanted - has, 0) + passes_left_ - 1) / passes_left_};
 }
 
-RayCounts TileRenderer::render(const Tile& tile, const PassSamples& samples, RayRecord* record,
-                               std::uint64_t& rendered) {
-  RayCounts counts;
-  counts.record = record;
+PassProgress TileRenderer::render(const Tile& tile, const PassSamples& samples, LeftPass& left,
+                                  RayRecord* record) {
+  PassProgress progress;
+  progress.rays.record = record;
+  const LeftPass from = left;
+  std::uint32_t pixel = 0;
   for_each_pixel(tile.window, [&](int x, int y) {
-    const SampleRange range = samples.of(film_, x, y);
-    rendered += static_cast<std::uint64_t>(range.last - range.first);
-    for (int s = range.first; s < range.last; ++s) {
+    const std::uint32_t p = pixel++;
+    if (p < from.pixels || !progress.whole) return;
+    const int already = p == from.pixels ? static_cast<int>(from.samples) : 0;
+    const SampleRange range = samples.of(film_, x, y, already);
+    for (int s = range.first + already; s < range.last && progress.whole; ++s) {
       const auto index = static_cast<std::uint32_t>(s);
-      batch_.push_back({x, y, index, Sampler(x, y, index, plan_.settings.seed)});
-      if (batch_.size() == kPacketWidth) finish_batch(tile.empty, counts);
+      batch_.push_back({x,
+                        y,
+                        index,
+                        {p, static_cast<std::uint32_t>(s - range.first) + 1},
+                        Sampler(x, y, index, plan_.settings.seed)});
+      if (batch_.size() == kPacketWidth) finish_batch(tile.empty, left, progress);
     }
   });
-  finish_batch(tile.empty, counts);
-  return counts;
+  if (progress.whole) finish_batch(tile.empty, left, progress);
+  return progress;
 }
 
 dvec2 TileRenderer::film_position(const CameraSample& sample) const {
@@ -63,7 +74,7 @@ dvec2 TileRenderer::film_position(const CameraSample& sample) const {
          filter_offset(plan_.settings.filter, sample.sampler.pair(kPixelPosition));
 }
 
-void TileRenderer::finish_batch(bool empty, RayCounts& counts) {
+void TileRenderer::finish_batch(bool empty, LeftPass& left, PassProgress& progress) {
   start_.clear();
   for (const CameraSample& sample : batch_)
     start_.add(film_position(sample), sample.sampler);
@@ -75,21 +86,32 @@ void TileRenderer::finish_batch(bool empty, RayCounts& counts) {
       hit.shape = {};
   } else {
     world_.find_closest(states, hits, plan_.settings.tracing);
-    counts.add(RayKind::camera, states);
+    progress.rays.add(RayKind::camera, states);
   }
-  for (std::size_t i = 0; i < batch_.size(); ++i)
-    trace_sample(batch_[i], start_.paths(i, hits.data()), counts);
+  for (std::size_t i = 0; i < batch_.size() && progress.whole; ++i) {
+    progress.whole =
+        !is_over_() && trace_sample(batch_[i], start_.paths(i, hits.data()), progress.rays);
+    if (!progress.whole) {
+      if (!empty) progress.rays.camera -= states.size() - start_.first_state(i);
+      break;
+    }
+    left = batch_[i].behind;
+    ++progress.rendered;
+  }
   batch_.clear();
 }
 
-void TileRenderer::trace_sample(const CameraSample& sample, const CameraPaths& start,
+bool TileRenderer::trace_sample(const CameraSample& sample, const CameraPaths& start,
                                 RayCounts& counts) {
   sums_.clear();
-  const std::uint64_t before = counts.total();
-  integrator_->trace(start, sample.sampler, sums_, counts);
+  const RayCounts before = counts;
+  if (!integrator_->trace(start, sample.sampler, sums_, counts)) {
+    counts = before;
+    return false;
+  }
   if (!pixel_rays_.empty())
     pixel_rays_[film_.window().index(sample.x, sample.y)] +=
-        static_cast<std::uint32_t>(start.count + counts.total() - before);
+        static_cast<std::uint32_t>(start.count + counts.total() - before.total());
   bool covered = false;
   for (std::size_t i = 0; i < start.count; ++i)
     covered |= start.hits[i].met();
@@ -100,6 +122,8 @@ void TileRenderer::trace_sample(const CameraSample& sample, const CameraPaths& s
   if (transparency_ && sums_.transparency() != 0.0)
     film_.add(*transparency_, place, sums_.transparency());
   if (transmittance_) film_.add(*transmittance_, place, sums_.transmittance());
+  if (lost_) film_.add(*lost_, place, lost_light(integrator_->beyond().luminance(), plan_.quantum));
+  return true;
 }
 
 } // namespace abbe

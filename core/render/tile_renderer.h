@@ -9,6 +9,7 @@
 #include "core/lights/lights.h"
 #include "core/plan/plan.h"
 #include "core/render/camera_start.h"
+#include "core/render/render_state.h"
 #include "core/sampling/sampler.h"
 #include "geometry/world/world.h"
 
@@ -44,7 +45,8 @@ public:
   PassSamples(std::span<const std::uint32_t> allocation, int passes_left)
       : allocation_(allocation), passes_left_(passes_left) {}
 
-  [[nodiscard]] SampleRange of(const Film& film, int x, int y) const;
+  /// Those of a pixel of which so many are in the film already.
+  [[nodiscard]] SampleRange of(const Film& film, int x, int y, int already = 0) const;
 
 private:
   SampleRange all_;
@@ -52,16 +54,25 @@ private:
   int passes_left_ = 1;
 };
 
+/// How far a pass of a tile has come.
+struct PassProgress {
+  std::uint64_t rendered = 0; ///< how many samples were added to the film
+  RayCounts rays;
+  bool whole = true; ///< false where it was given up
+};
+
 /// Renders tiles on one thread.
 class TileRenderer {
 public:
   /// Keeps references to all. `pixel_rays`, unless it is empty, counts the rays of each pixel of
-  /// the film, row by row.
-  TileRenderer(const RenderContext& context, Film& film, std::span<std::uint32_t> pixel_rays);
+  /// the film, row by row. Where `is_over` says so a tile is given up.
+  TileRenderer(const RenderContext& context, Film& film, std::span<std::uint32_t> pixel_rays,
+               const IsOver& is_over);
 
-  /// Adds the samples of every pixel of the tile to the film, and their number to `rendered`.
-  RayCounts render(const Tile& tile, const PassSamples& samples, RayRecord* record,
-                   std::uint64_t& rendered);
+  /// Adds the samples of every pixel of the tile to the film, from where the pass was left before:
+  /// `left` tells, and tells anew.
+  PassProgress render(const Tile& tile, const PassSamples& samples, LeftPass& left,
+                      RayRecord* record);
 
 private:
   static constexpr std::size_t kPacketWidth = 16;
@@ -69,12 +80,14 @@ private:
   struct CameraSample {
     int x, y;
     std::uint32_t index; ///< of the pixel's samples
+    LeftPass behind;     ///< how far the pass has come with it
     Sampler sampler;
   };
 
   [[nodiscard]] dvec2 film_position(const CameraSample& sample) const;
-  void finish_batch(bool empty, RayCounts& counts);
-  void trace_sample(const CameraSample& sample, const CameraPaths& start, RayCounts& counts);
+  void finish_batch(bool empty, LeftPass& left, PassProgress& progress);
+  [[nodiscard]] bool trace_sample(const CameraSample& sample, const CameraPaths& start,
+                                  RayCounts& counts);
 
   const Plan& plan_;
   const World& world_;
@@ -82,8 +95,10 @@ private:
   std::optional<LayerId> transparency_, transmittance_;
   std::span<std::uint32_t> pixel_rays_;
   std::unique_ptr<CameraIntegrator> integrator_;
+  const IsOver& is_over_;
   RadianceSums sums_;
   std::optional<LayerId> evidence_;
+  std::optional<LayerId> lost_; ///< what a limit of depth takes
   std::vector<CameraSample> batch_;
   CameraStart start_;
   std::vector<Hit> hits_; ///< of the batch's rays

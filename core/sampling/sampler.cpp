@@ -97,8 +97,9 @@ dvec2 Sampler::pair(std::uint32_t purpose) const {
       unit(owen_scrambled_reverse_of(sobol_second_reversed(index), static_cast<std::uint32_t>(b)))};
 }
 
-DecisionStream Sampler::decisions() const {
-  return DecisionStream(mixed(key_ ^ mixed(bits_reversed(reversed_index_))));
+DecisionStream Sampler::decisions(std::uint64_t stream) const {
+  const std::uint64_t key = mixed(key_ ^ mixed(bits_reversed(reversed_index_)));
+  return DecisionStream(stream == 0 ? key : mixed(key ^ mixed(stream)));
 }
 
 double DecisionStream::next() {

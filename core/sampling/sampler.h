@@ -30,8 +30,8 @@ public:
 
   /// Two numbers in [0, 1) for one purpose. Purposes are statistically independent.
   [[nodiscard]] dvec2 pair(std::uint32_t purpose) const;
-  /// The path's stream of decisions. Each call returns the same stream from its start.
-  [[nodiscard]] DecisionStream decisions() const;
+  /// One of the path's streams of decisions. Each call returns the same stream from its start.
+  [[nodiscard]] DecisionStream decisions(std::uint64_t stream = 0) const;
 
 private:
   std::uint32_t reversed_index_; ///< the sample's index with its bits reversed

@@ -146,6 +146,8 @@ int render_command(const Options& options) {
              {.progress = [&](const RenderProgress& p) { progress.tell(p); }, .stop = &stop});
   progress.finish();
   if (!options.quiet) say(summary(rendering));
+  if (const std::string warning = light_warning(rendering); !warning.empty())
+    print_warning(warning);
 
   if (!rendering.complete) {
     if (!has_samples(rendering.film)) {

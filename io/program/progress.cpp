@@ -1,6 +1,7 @@
 #include "io/program/progress.h"
 
 #include "core/adaptive/noise.h"
+#include "core/film/lost_light.h"
 #include "io/program/terminal.h"
 
 #include <fmt/format.h>
@@ -85,25 +86,46 @@ std::string lighting(const Rendering& rendering) {
                      rays.photons);
 }
 
+/// A limit of depth that takes more than this part of the light is warned of.
+constexpr double kMuchLight = 1e-3;
+
+std::string percent(const LostShare& lost) {
+  return fmt::format("{:.2g} % (standard error {:.1g} %)", 100.0 * lost.share, 100.0 * lost.error);
+}
+
+std::string limits(const Rendering& rendering) {
+  const auto lost = lost_share(rendering.film);
+  return lost ? fmt::format("depth limit: it took {} of the light\n", percent(*lost)) : "";
+}
+
 } // namespace
+
+std::string light_warning(const Rendering& rendering) {
+  const auto lost = lost_share(rendering.film);
+  if (!lost || lost->share <= kMuchLight) return "";
+  return fmt::format("the depth limit took {} of the picture's light; without maxRecursionDepth "
+                     "and --depth none is lost",
+                     percent(*lost));
+}
 
 std::string summary(const Rendering& rendering) {
   const RayCounts& rays = rendering.rays;
   const RefusedValues& refused = rendering.film.refused();
   return reached(rendering) +
-         fmt::format(
-             "rays: {} camera, {} reflected, {} refracted, {} scattered, {} shadow, "
-             "{} light; {} in {:.2f} s, "
-             "{:.2f} Mray/s\n"
-             "{}"
-             "refused samples: {} not finite, {} negative, {} overflow{}\n"
-             "peak memory: {:.0f} MiB",
-             rays.camera, rays.reflected, rays.refracted, rays.scattered, rays.shadow, rays.light,
-             rays.total(), rendering.seconds, million_per_second(rays.total(), rendering.seconds),
-             lighting(rendering), refused.not_finite, refused.negative, refused.overflow,
-             rays.not_finite > 0 ? fmt::format("; refused rays: {} not finite", rays.not_finite)
-                                 : "",
-             peak_memory_mib());
+         fmt::format("rays: {} camera, {} reflected, {} refracted, {} scattered, {} shadow, "
+                     "{} light; {} in {:.2f} s, "
+                     "{:.2f} Mray/s\n"
+                     "{}{}"
+                     "refused samples: {} not finite, {} negative, {} overflow{}\n"
+                     "peak memory: {:.0f} MiB",
+                     rays.camera, rays.reflected, rays.refracted, rays.scattered, rays.shadow,
+                     rays.light, rays.total(), rendering.seconds,
+                     million_per_second(rays.total(), rendering.seconds), lighting(rendering),
+                     limits(rendering), refused.not_finite, refused.negative, refused.overflow,
+                     rays.not_finite > 0
+                         ? fmt::format("; refused rays: {} not finite", rays.not_finite)
+                         : "",
+                     peak_memory_mib());
 }
 
 } // namespace abbe

@@ -23,7 +23,10 @@ private:
 };
 
 /// The closing summary: samples and error where they are estimated, rays by kind, light paths,
-/// speed, refused samples, peak memory.
+/// speed, what the depth limit took, refused samples, peak memory.
 [[nodiscard]] std::string summary(const Rendering& rendering);
+
+/// A warning where the picture lacks light that a limit has taken; else empty.
+[[nodiscard]] std::string light_warning(const Rendering& rendering);
 
 } // namespace abbe

@@ -99,9 +99,9 @@ TEST_CASE("caustics seen in a mirror and lighting a wall are those of camera pat
                                  "defaultMaterials diffuse 0 0 0 specular 0 0 0 reflectivity 0.9\n"
                                  "push translate 0 0 -1.2 scale 2 2 1 square pop");
   scene.settings.caustics = Caustics::off;
-  const auto camera = test::over_seeds(scene, 16);
+  const auto camera = test::over_seeds(scene, 64);
   scene.settings.caustics = Caustics::automatic;
   scene.settings.light_paths = 4.0;
-  const auto both = test::over_seeds(scene, 16);
+  const auto both = test::over_seeds(scene, 64);
   CHECK(both.total == Approx(camera.total).epsilon(0.015));
 }

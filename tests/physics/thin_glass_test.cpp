@@ -133,8 +133,9 @@ double photon_flux(const std::string& text, const dvec3& place, const dvec3& dir
     paths.trace(ray, Sampler(0, 0, i, 7), 1.0, &batch, 1.0 / kPaths, s.counts);
   }
   double flux = 0.0;
-  for (const float f : batch.flux)
-    flux += static_cast<double>(f) / 81.0;
+  for (const Photon& photon : batch.photons)
+    for (int b = 0; b < photon.bands.size() && !photon.beyond_limit; ++b)
+      flux += static_cast<double>(batch.flux[photon.flux + static_cast<std::size_t>(b)]) / 81.0;
   return flux;
 }
 
