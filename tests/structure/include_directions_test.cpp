@@ -56,6 +56,7 @@ constexpr Permission kPermissions[] = {
     {"io/", "glm/"},
     {"io/", "fmt/"},
     {"io/program/command_line.cpp", "CLI/"},
+    {"io/commands/", "CLI/"}, // each command has options of its own
     {"io/images/read_exr.cpp", "OpenEXR/"},
     {"io/images/read_exr.cpp", "Imath/"},
     {"io/images/read_png.cpp", "png.h"},
@@ -71,10 +72,10 @@ constexpr Permission kPermissions[] = {
     {"io/files/regular_file.cpp", "fcntl.h"},
     {"io/files/regular_file.cpp", "sys/stat.h"},
     {"io/files/regular_file.cpp", "unistd.h"},
-    {"io/program/terminal.cpp", "fcntl.h"},
-    {"io/program/terminal.cpp", "unistd.h"},
-    {"io/program/progress.cpp", "sys/resource.h"},
-    {"io/program/progress.cpp", "unistd.h"},
+    {"io/console/terminal.cpp", "fcntl.h"},
+    {"io/console/terminal.cpp", "unistd.h"},
+    {"io/console/progress.cpp", "sys/resource.h"},
+    {"io/console/progress.cpp", "unistd.h"},
     {"tests/", ""},
     {"bench/", ""},
 };
@@ -109,6 +110,7 @@ constexpr std::string_view kFloors[] = {
     "core/image/",     "core/planning/",      "core/render/",       "io/files/",
     "io/text/",        "io/images/",          "io/libraries/",      "io/settings/",
     "io/meshes/",      "io/building/",        "io/scene_language/", "io/scene_files/",
+    "io/console/",     "io/plots/",           "io/outputs/",        "io/commands/",
     "io/program/",     "bench/measurements/", "bench/plots/",       "bench/reports/",
     "bench/program/"};
 
