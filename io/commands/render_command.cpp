@@ -32,8 +32,7 @@ void add_memory_limit(CLI::App& app, std::optional<double>& limit_gib) {
   const auto give = [&limit_gib](const std::string& text) {
     const auto gib = parse_finite(text);
     if (!gib || !(*gib > 0.0) || *gib > 1e6)
-      throw CLI::ValidationError("--limit-memory",
-                                 "\"" + text + "\" is not a size in GiB above 0");
+      throw CLI::ValidationError("--limit-memory", "\"" + text + "\" is not a size in GiB above 0");
     limit_gib = gib;
   };
   app.add_option_function<std::string>(
