@@ -1,6 +1,6 @@
 #include "core/render/render_state.h"
 
-#include "core/render/memory_need.h"
+#include "core/render/film_layers.h"
 
 namespace abbe {
 

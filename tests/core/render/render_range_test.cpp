@@ -1,3 +1,4 @@
+#include "core/film/merge_films.h"
 #include "core/planning/make_plan.h"
 #include "core/planning/plan_extent.h"
 #include "core/render/render.h"
