@@ -15,9 +15,8 @@ namespace {
 
 SettingsOverride given(std::vector<const char*> words) {
   words.insert(words.begin(), {"abbe", "render", "scene.sdl"});
-  const Options options = parse_command_line(static_cast<int>(words.size()), words.data());
-  REQUIRE(options.command == Command::render);
-  return options.settings;
+  return std::get<RenderCommand>(parse_command_line(static_cast<int>(words.size()), words.data()))
+      .settings;
 }
 
 RenderSettings settings(const std::vector<const char*>& words) {

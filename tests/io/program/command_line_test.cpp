@@ -1,6 +1,7 @@
 #include "io/program/command_line.h"
 
 #include "core/image/display.h"
+#include "io/console/exit_codes.h"
 #include "tests/catch.h"
 
 #include <sys/wait.h>
@@ -20,28 +21,30 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Options parse(std::vector<const char*> words) {
+Command parse(std::vector<const char*> words) {
   words.insert(words.begin(), "abbe");
   return parse_command_line(static_cast<int>(words.size()), words.data());
 }
 
+RenderCommand parse_render(std::vector<const char*> words) {
+  words.insert(words.begin(), "render");
+  return std::get<RenderCommand>(parse(words));
+}
+
 /// The settings that options after a scene's name give.
 RenderSettings settings(std::vector<const char*> words) {
-  words.insert(words.begin(), {"render", "scene.sdl"});
-  const Options options = parse(words);
-  REQUIRE(options.command == Command::render);
-  return overridden(RenderSettings{}, options.settings);
+  words.insert(words.begin(), "scene.sdl");
+  return overridden(RenderSettings{}, parse_render(words).settings);
 }
 
 /// The exit code of a command line that is wrong, and says so.
 int exit_code_of(const std::vector<const char*>& words) {
   std::ostringstream told;
   std::streambuf* const saved = std::cerr.rdbuf(told.rdbuf());
-  const Options options = parse(words);
+  const Command command = parse(words);
   std::cerr.rdbuf(saved);
-  CHECK(options.command == Command::done);
   CHECK_FALSE(told.str().empty());
-  return options.exit_code;
+  return std::get<Answered>(command).exit_code;
 }
 
 const std::string kScene = "imageSize 16 12 samples 2 background E 0.5 light E 2 3 4 1\n"
@@ -176,7 +179,7 @@ TEST_CASE("what the command line does not name stays as the scene has it") {
   scene.jitter = false;
   scene.filter = PixelFilter::box;
   scene.crop = PixelWindow{1, 2, 3, 4};
-  const RenderSettings s = overridden(scene, parse({"render", "a.sdl", "--bands", "9"}).settings);
+  const RenderSettings s = overridden(scene, parse_render({"a.sdl", "--bands", "9"}).settings);
   CHECK(s.bands == 9);
   CHECK(s.width == 77);
   CHECK(s.seed == 5);
@@ -186,9 +189,10 @@ TEST_CASE("what the command line does not name stays as the scene has it") {
 }
 
 TEST_CASE("outputs are named one by one and have their formats") {
-  const Options o = parse({"render", "a.sdl", "-o", "a.exr", "--output", "b/c.png", "--spectral",
-                           "cube.exr", "--exposure", "-1.5", "--gamut", "clip", "--exr-pixel",
-                           "float", "--tiff-depth", "32", "--png-depth", "16", "-q"});
+  const RenderCommand o =
+      parse_render({"a.sdl", "-o", "a.exr", "--output", "b/c.png", "--spectral", "cube.exr",
+                    "--exposure", "-1.5", "--gamut", "clip", "--exr-pixel", "float", "--tiff-depth",
+                    "32", "--png-depth", "16", "-q"});
   CHECK(o.scene_path == "a.sdl");
   CHECK(o.outputs == std::vector<fs::path>{"a.exr", "b/c.png"});
   CHECK(o.spectral_output == fs::path("cube.exr"));
@@ -199,7 +203,7 @@ TEST_CASE("outputs are named one by one and have their formats") {
   CHECK(o.output.tiff_depth == TiffDepth::float32);
   CHECK(o.output.png_bits == 16);
   CHECK(o.quiet);
-  CHECK(parse({"render", "-o", "x.exr", "a.sdl"}).scene_path == "a.sdl");
+  CHECK(parse_render({"-o", "x.exr", "a.sdl"}).scene_path == "a.sdl");
 }
 
 TEST_CASE("the display's settings replace the scene's, each by itself") {
@@ -208,10 +212,8 @@ TEST_CASE("the display's settings replace the scene's, each by itself") {
   scene.gamut = GamutMapping::clip;
   scene.white_point = WhitePoint::at({0.3, 0.3});
   const auto settings = [&](std::vector<const char*> words) {
-    words.insert(words.begin(), {"render", "scene.sdl"});
-    const Options options = parse(words);
-    REQUIRE(options.command == Command::render);
-    return overridden(scene, options.display);
+    words.insert(words.begin(), "scene.sdl");
+    return overridden(scene, parse_render(words).display);
   };
   const DisplaySettings plain = settings({});
   CHECK(plain.space == scene.space);
@@ -234,9 +236,9 @@ TEST_CASE("the display's settings replace the scene's, each by itself") {
 
 TEST_CASE("--exr-space names the primaries of EXR") {
   const auto space = [](const char* word) {
-    return parse({"render", "a.sdl", "--exr-space", word}).output.exr_space;
+    return parse_render({"a.sdl", "--exr-space", word}).output.exr_space;
   };
-  CHECK(parse({"render", "a.sdl"}).output.exr_space == SceneLinearSpace::rec709);
+  CHECK(parse_render({"a.sdl"}).output.exr_space == SceneLinearSpace::rec709);
   CHECK(space("rec709") == SceneLinearSpace::rec709);
   CHECK(space("acescg") == SceneLinearSpace::acescg);
   CHECK(space("aces2065-1") == SceneLinearSpace::aces2065_1);
@@ -244,13 +246,11 @@ TEST_CASE("--exr-space names the primaries of EXR") {
 }
 
 TEST_CASE("plan and list are commands of their own") {
-  const Options plan = parse({"plan", "a.sdl", "--bands", "3"});
-  CHECK(plan.command == Command::plan);
+  const auto plan = std::get<PlanCommand>(parse({"plan", "a.sdl", "--bands", "3"}));
   CHECK(overridden(RenderSettings{}, plan.settings).bands == 3);
-  const Options list = parse({"list", "lights", "my.filter"});
-  CHECK(list.command == Command::list);
-  CHECK(list.list_what == "lights");
-  CHECK(list.list_library == fs::path("my.filter"));
+  const auto list = std::get<ListCommand>(parse({"list", "lights", "my.filter"}));
+  CHECK(list.what == "lights");
+  CHECK(list.library == fs::path("my.filter"));
 }
 
 TEST_CASE("a command line that cannot be understood ends with 2") {

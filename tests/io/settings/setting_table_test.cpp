@@ -71,10 +71,10 @@ const std::set<std::string_view> kNotInScenes{"--time",    "--errors", "--layers
 const std::set<std::string_view> kNotInMetadata{"--errors",  "--layers", "--size",   "--crop",
                                                 "--threads", "--skip",   "--tracing"};
 
-Options parse(const std::string& option, const std::string& value) {
+RenderCommand parse(const std::string& option, const std::string& value) {
   std::vector<const char*> words{"abbe", "render", "scene.sdl", option.c_str()};
   if (!value.empty()) words.push_back(value.c_str());
-  return parse_command_line(static_cast<int>(words.size()), words.data());
+  return std::get<RenderCommand>(parse_command_line(static_cast<int>(words.size()), words.data()));
 }
 
 /// The settings as text, row by row. It differs where any member does.
@@ -106,10 +106,10 @@ RenderSettings of_scene(const Scene& scene, const RenderSettings&) {
 DisplaySettings of_scene(const Scene& scene, const DisplaySettings&) {
   return scene.display;
 }
-RenderSettings of_options(const Options& options, const RenderSettings& usual) {
+RenderSettings of_options(const RenderCommand& options, const RenderSettings& usual) {
   return overridden(usual, options.settings);
 }
-DisplaySettings of_options(const Options& options, const DisplaySettings& usual) {
+DisplaySettings of_options(const RenderCommand& options, const DisplaySettings& usual) {
   return overridden(usual, options.display);
 }
 

@@ -1,0 +1,23 @@
+#include "io/commands/check_memory.h"
+
+#include "core/scene/user_error.h"
+#include "io/files/available_memory.h"
+
+#include <fmt/format.h>
+
+namespace abbe {
+
+void check_memory(std::uint64_t need, std::optional<double> limit_gib) {
+  constexpr double kGiB = 1 << 30;
+  const std::uint64_t limit =
+      limit_gib ? static_cast<std::uint64_t>(*limit_gib * kGiB) : available_memory();
+  if (need <= limit) return;
+  throw UserError(
+      fmt::format("the picture needs {} of memory, and the limit is {}, {}. Make it smaller, or "
+                  "render parts of it with --crop{}",
+                  memory_text(need), memory_text(limit),
+                  limit_gib ? "which --limit-memory sets" : "which is what this machine has left",
+                  limit_gib ? "" : "; --limit-memory sets another limit"));
+}
+
+} // namespace abbe

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "io/commands/list_command.h"
+#include "io/commands/plan_command.h"
+#include "io/commands/render_command.h"
+#include "io/commands/selftest_command.h"
+
+#include <variant>
+
+namespace abbe {
+
+/// The command line itself was answered (help, version, a mistake), and the exit code is all that
+/// is left to return.
+struct Answered {
+  int exit_code = 0;
+};
+[[nodiscard]] inline int run(const Answered& answered) {
+  return answered.exit_code;
+}
+
+/// What the user asks for. A command is a file pair of this folder and a name here. Its type has
+/// `kName` and `kHelp`; `add_options` adds what can be given to the command line, and `run` returns
+/// the exit code of the program. Where it has a member `given`, it gets the names of all options
+/// that were given.
+using Command = std::variant<Answered, RenderCommand, PlanCommand, ListCommand, SelftestCommand>;
+
+} // namespace abbe

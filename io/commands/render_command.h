@@ -1,0 +1,35 @@
+#pragma once
+
+#include "io/images/write_image.h"
+#include "io/settings/setting_text.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace abbe {
+
+/// Renders a scene into images.
+struct RenderCommand {
+  static constexpr const char* kName = "render";
+  static constexpr const char* kHelp = "Render a scene";
+
+  std::filesystem::path scene_path;
+  SettingsOverride settings;
+  DisplayOverride display;
+  OutputOptions output;
+  std::vector<std::string> given;             ///< the names of all options that were given
+  std::vector<std::filesystem::path> outputs; ///< empty: NAME.exr and NAME.tiff
+  std::optional<std::filesystem::path> spectral_output;
+  std::optional<double> memory_limit_gib; ///< empty: what the machine has left
+  bool quiet = false;
+};
+void add_options(CLI::App& app, RenderCommand& command);
+[[nodiscard]] int run(const RenderCommand& command);
+
+} // namespace abbe

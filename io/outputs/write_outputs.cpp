@@ -1,0 +1,51 @@
+#include "io/outputs/write_outputs.h"
+
+#include "core/image/develop.h"
+#include "io/console/terminal.h"
+#include "io/images/write_exr.h"
+#include "io/outputs/picture_warnings.h"
+#include "io/outputs/write_each.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace abbe {
+namespace {
+
+DisplayImage display_picture(const Rendering& rendering, const Plan& plan,
+                             const DisplaySettings& settings) {
+  DisplayImage image = develop_display(rendering.film, plan, settings);
+  if (const std::string warning = warning_of_exposure(rendering.film, image); !warning.empty())
+    say_warning(warning);
+  return image;
+}
+
+} // namespace
+
+bool write_outputs(const Rendering& rendering, const Plan& plan, const Outputs& outputs,
+                   const OutputOptions& options, const DisplaySettings& display_settings,
+                   bool quiet) {
+  const auto write_all = [&](bool scene_linear, const SceneLinearImage& linear,
+                             const DisplayImage& display) {
+    std::vector<OutputJob> jobs;
+    for (const std::filesystem::path& path : outputs.images)
+      if (is_scene_linear_extension(path) == scene_linear)
+        jobs.push_back({path, [&, path] { return write_image(path, linear, display, options); }});
+    return write_each(jobs, quiet);
+  };
+  bool all = true;
+  if (std::ranges::any_of(outputs.images, is_scene_linear_extension))
+    all = write_all(true, develop_scene_linear(rendering.film, plan, options.exr_space), {});
+  if (!std::ranges::all_of(outputs.images, is_scene_linear_extension))
+    all = write_all(false, {}, display_picture(rendering, plan, display_settings)) && all;
+  if (!outputs.spectral) return all;
+  const auto write_spectral = [&] {
+    write_spectral_exr(
+        *outputs.spectral, rendering.film.window(),
+        [&](const PixelWindow& rows) { return develop_spectral(rendering.film, plan, rows); });
+    return std::string();
+  };
+  return write_each({{*outputs.spectral, write_spectral}}, quiet) && all;
+}
+
+} // namespace abbe
