@@ -109,7 +109,7 @@ constexpr std::string_view kFloors[] = {
     "core/bundles/",   "core/scattering/",    "core/lights/",       "core/integrators/",
     "core/image/",     "core/planning/",      "core/render/",       "io/files/",
     "io/text/",        "io/images/",          "io/libraries/",      "io/settings/",
-    "io/meshes/",      "io/building/",        "io/scene_language/", "io/scene_files/",
+    "io/meshes/",      "io/building/",        "io/scene_language/", "io/scene_files/", "io/selftest/",
     "io/console/",     "io/plots/",           "io/outputs/",        "io/commands/",
     "io/program/",     "bench/measurements/", "bench/plots/",       "bench/reports/",
     "bench/program/"};
