@@ -15,6 +15,7 @@ find_package(ZLIB REQUIRED)
 find_package(fmt CONFIG REQUIRED)
 find_package(CLI11 CONFIG REQUIRED)
 find_package(nlohmann_json CONFIG REQUIRED)
+find_package(Threads REQUIRED)
 
 find_path(LCMS2_INCLUDE_DIR lcms2.h REQUIRED)
 find_library(LCMS2_LIBRARY lcms2 REQUIRED)
