@@ -1,8 +1,8 @@
 #include "bench/program/measure.h"
 #include "bench/reports/compare.h"
 #include "bench/reports/write_html.h"
+#include "io/console/exit_codes.h"
 #include "io/files/atomic_file.h"
-#include "io/program/command_line.h"
 #include "io/text/token.h"
 
 #include <fmt/format.h>

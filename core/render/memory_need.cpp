@@ -1,10 +1,8 @@
 #include "core/render/memory_need.h"
 
-#include "core/cameras/placed_camera.h"
-#include "core/film/lost_light.h"
+#include "core/render/film_layers.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace abbe {
 namespace {
@@ -32,23 +30,6 @@ std::uint64_t tile_bytes(std::uint64_t tiles) {
 }
 
 } // namespace
-
-std::vector<LayerForm> film_layers(const Scene& scene, const Plan& plan,
-                                   const std::optional<BandPlace>& bands) {
-  const bool splats = plan.caustics && connects(scene.camera.kind);
-  std::vector<LayerForm> layers =
-      beauty_layers({.quantum = plan.quantum,
-                     .bands = bands ? plan.grid.count() : 0,
-                     .errors = plan.settings.needs_errors(),
-                     .splats = splats,
-                     .evidence = plan.caustics && plan.settings.adaptive == AdaptiveSampling::on});
-  if (plan.sky.lets_through) layers.push_back(transparency_layer());
-  if (plan.sky.tints) layers.push_back(transmittance_layer());
-  if (plan.settings.max_depth < kNoDepthLimit)
-    for (LayerForm& layer : lost_light_layers(plan.quantum, splats))
-      layers.push_back(std::move(layer));
-  return layers;
-}
 
 std::uint64_t memory_need(const Scene& scene, const Plan& plan,
                           const std::optional<BandPlace>& bands) {

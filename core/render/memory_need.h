@@ -5,14 +5,8 @@
 
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 namespace abbe {
-
-/// The layers of the film of a rendering, which keeps the sums of all bands where `bands` says
-/// where to.
-[[nodiscard]] std::vector<LayerForm> film_layers(const Scene& scene, const Plan& plan,
-                                                 const std::optional<BandPlace>& bands);
 
 // How many bytes a rendering takes at its peak, beside the scene and what threads have of their
 // own: its film, what adaptive sampling knows of each pixel, its tiles, and the largest of the

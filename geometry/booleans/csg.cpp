@@ -1,6 +1,6 @@
 #include "geometry/booleans/csg.h"
 
-#include "geometry/solids/ball.h"
+#include "geometry/booleans/bounding_ball.h"
 
 #include <algorithm>
 #include <cmath>
@@ -214,12 +214,12 @@ namespace {
 /// What a part of a tree lies in: a box, and a ball where spheres make one.
 struct Extent {
   Bounds box;
-  std::optional<Ball> ball;
+  std::optional<BoundingBall> ball;
 };
 
 Extent common_extent(const Extent& a, const Extent& b) {
   if (!a.ball || !b.ball) return {a.box.overlap(b.box), a.ball ? a.ball : b.ball};
-  const Ball ball = ball_around_common(*a.ball, *b.ball);
+  const BoundingBall ball = ball_around_common(*a.ball, *b.ball);
   const Bounds around{ball.center - ball.radius, ball.center + ball.radius};
   return {a.box.overlap(b.box).overlap(around), ball};
 }

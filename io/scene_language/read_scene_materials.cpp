@@ -8,6 +8,8 @@
 //
 //   glass N-BK7                        ! clear glass of the catalogue
 //   absorption 0.01                    ! per mm
+//
+//   thinGlass 4 N-BK7                  ! a window of 4 mm, of which this is all
 
 #include "io/libraries/read_absorption.h"
 #include "io/libraries/read_dispersion.h"
@@ -102,6 +104,14 @@ void read_law_glass(SceneState& state, Arguments& arguments) {
       clear_material({std::move(index.name), std::move(index.law), Curve::constant(0.0)});
 }
 
+/// A material of its own, as the keyword `glass` gives.
+void read_thin_glass(SceneState& state, Arguments& arguments) {
+  constexpr Range kThickness{"a thickness in mm", 0.0, 1e6};
+  const double mm = arguments.number(kThickness);
+  state.material = clear_material({"", read_index(state, arguments), Curve::constant(0.0)});
+  state.material.finish.pane = ThinPane{mm, ConstantIndex{1.0}, Curve::constant(0.0)};
+}
+
 void read_dispersion_scale(SceneState& state, Arguments& arguments) {
   Dispersion& index = state.material.medium.index;
   index = exaggerated(index, arguments.number(kDispersionScaleRange));
@@ -146,6 +156,7 @@ constexpr std::array kKeywords{
     SceneKeyword{"fresnel on|off", read_fresnel, true},
     SceneKeyword{"defaultMaterials", read_default_materials, true},
     SceneKeyword{"glass NAME", read_glass_keyword, true},
+    SceneKeyword{"thinGlass thickness n|GLASS", read_thin_glass, true},
     SceneKeyword{"metal NAME", read_metal_mirror, true},
     SceneKeyword{kCauchyUsage, read_law_glass<read_cauchy>, true},
     SceneKeyword{kAbbeUsage, read_law_glass<read_abbe>, true},
@@ -169,6 +180,12 @@ LinearRgb read_fraction_rgb(SceneState& state, Arguments& arguments) {
             fmt::format("{} above 1 counts as 1 (nothing reflects more than it gets)",
                         arguments.name()));
   return color;
+}
+
+Dispersion read_index(SceneState& state, Arguments& arguments) {
+  if (auto code = read_glass_code(arguments)) return std::move(code->law);
+  if (arguments.number_follows()) return ConstantIndex{arguments.number(kIndexRange)};
+  return read_clear_glass(state, arguments).medium.index;
 }
 
 CurrentMaterial read_clear_glass(SceneState& state, Arguments& arguments) {

@@ -168,6 +168,9 @@ void require_unmixed(const SceneState& state, const Arguments& arguments);
 /// a glass that is extrapolated.
 [[nodiscard]] CurrentMaterial read_clear_glass(SceneState& state, Arguments& arguments);
 
+/// A refractive index: a number, or a glass of the catalogue or by its code.
+[[nodiscard]] Dispersion read_index(SceneState& state, Arguments& arguments);
+
 /// Reads what follows the keyword `polyhedron`.
 [[nodiscard]] ConvexPolyhedron read_polyhedron(Arguments& arguments);
 

@@ -1,4 +1,4 @@
-#include "core/film/film.h"
+#include "core/film/merge_films.h"
 #include "tests/catch.h"
 
 #include <functional>

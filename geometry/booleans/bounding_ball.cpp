@@ -1,4 +1,4 @@
-#include "geometry/solids/ball.h"
+#include "geometry/booleans/bounding_ball.h"
 
 #include <glm/geometric.hpp>
 
@@ -8,7 +8,7 @@
 
 namespace abbe {
 
-Ball image_of_unit_ball(const Transform& map) {
+BoundingBall image_of_unit_ball(const Transform& map) {
   const std::array<dvec3, 3> axes{map.vector({1.0, 0.0, 0.0}), map.vector({0.0, 1.0, 0.0}),
                                   map.vector({0.0, 0.0, 1.0})};
   // No direction is stretched by more than the root of the largest eigenvalue of M^T M, and that
@@ -23,8 +23,8 @@ Ball image_of_unit_ball(const Transform& map) {
   return {map.point(dvec3(0.0)), std::sqrt(most)};
 }
 
-Ball ball_around_common(const Ball& a, const Ball& b) {
-  const Ball& smaller = a.radius < b.radius ? a : b;
+BoundingBall ball_around_common(const BoundingBall& a, const BoundingBall& b) {
+  const BoundingBall& smaller = a.radius < b.radius ? a : b;
   const dvec3 separation = b.center - a.center;
   const double distance = glm::length(separation);
   if (!(distance > 0.0)) return smaller;

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/film/film.h"
+#include "core/plan/plan.h"
+
+#include <optional>
+#include <vector>
+
+namespace abbe {
+
+/// The layers of the film of a rendering, which keeps the sums of all bands where `bands` says
+/// where to.
+[[nodiscard]] std::vector<LayerForm> film_layers(const Scene& scene, const Plan& plan,
+                                                 const std::optional<BandPlace>& bands);
+
+} // namespace abbe
