@@ -46,7 +46,7 @@ void note_content(const Scene& scene, Plan& plan) {
   plan.notes.insert(plan.notes.begin(),
                     fmt::format("{}, {}, {} ({} dispersive)",
                                 count(scene.shapes.size(), "shape", "shapes"),
-                                count(scene.lights.size(), "lamp", "lamps"),
+                                count(scene.lights.size(), "light", "lights"),
                                 count(scene.media.size(), "medium", "media"), glasses));
   const RenderSettings& settings = plan.settings;
   plan.notes.insert(

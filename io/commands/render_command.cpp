@@ -103,6 +103,7 @@ void add_options(CLI::App& app, RenderCommand& command) {
   app.add_option("-o,--output", command.outputs,
                  "Picture to write (" + known_image_extensions() +
                      "); may be repeated. Default: NAME.exr and NAME.tiff in this folder")
+      ->allow_extra_args(false) // what follows its file may be the scene
       ->type_name("FILE");
   app.add_option("--spectral", command.spectral_output, "Write all bands into one EXR")
       ->type_name("FILE");
