@@ -184,7 +184,7 @@ FaceId nearest_face(const CsgTree& tree, const dvec3& point, const dvec3& direct
     const FaceId id{static_cast<std::int32_t>(i), face};
     const dvec3 normal = outward_normal(tree, point, id);
     const double distance = std::abs(glm::dot(normal, point - snapped(tree, point, id)));
-    const bool leaves = glm::dot(normal, direction) >= 0.0;
+    const bool leaves = !runs_in(normal, direction);
     if (leaves < can_leave || (leaves == can_leave && distance >= smallest)) continue;
     smallest = distance;
     can_leave = leaves;

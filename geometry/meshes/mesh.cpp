@@ -123,7 +123,8 @@ private:
     for (int i = leaf.first; i < leaf.first + leaf.count; ++i) {
       const auto [a, b, c] = mesh_.corners(i);
       const double distance = squared_distance(a - point_, b - point_, c - point_);
-      if (distance >= smallest_ || glm::dot(glm::cross(b - a, c - a), direction_) <= 0.0) continue;
+      if (distance >= smallest_ || runs_in(glm::normalize(glm::cross(b - a, c - a)), direction_))
+        continue;
       smallest_ = distance;
       face_ = i;
     }

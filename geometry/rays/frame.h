@@ -31,6 +31,7 @@ public:
     [[nodiscard]] double shift_at(double t, double size) const {
       return with_errors().shift_at(t, size);
     }
+    [[nodiscard]] double shift_rate() const { return with_errors().shift_rate(); }
     [[nodiscard]] LocalRay with_errors() const {
       return {origin, direction,
               Transform::mapping_error(frame->inverse_norm_, ray->origin, 0.0, frame->image_size_),

@@ -22,11 +22,25 @@ struct LocalRay {
   /// there, and those of the few sums in the surface's equation, whose terms are no larger than
   /// the shape (`size`), the origin's distance and the distance to the place together.
   [[nodiscard]] double shift_at(double t, double size) const {
-    const auto sum = [](const dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
     const double reach = size + sum(origin) + std::abs(t) * sum(direction);
     return coordinate_error + std::abs(t) * direction_error + 8.0 * kRoundoff * reach;
   }
+  /// By how much `shift_at` grows with each unit of t.
+  [[nodiscard]] double shift_rate() const {
+    return direction_error + 8.0 * kRoundoff * sum(direction);
+  }
+
+private:
+  [[nodiscard]] static double sum(const dvec3& v) {
+    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+  }
 };
+
+/// Whether a direction (of any length) runs against a unit normal, by more than the rounding of
+/// one that was made to run along the face. A ray along a face may leave by it.
+[[nodiscard]] inline bool runs_in(const dvec3& normal, const dvec3& direction) {
+  return glm::dot(normal, direction) < -64.0 * kRoundoff * glm::length(direction);
+}
 
 /// `ray` seen from the frame that `to_outer` maps to the ray's; t keeps its meaning.
 [[nodiscard]] inline LocalRay local_ray(const Transform& to_outer, const LocalRay& ray) {
@@ -49,10 +63,13 @@ concept RayInFrame = requires(const R& ray) {
 }
 
 /// The rounding error of a root t with a plane: a plane shifted by e that the line crosses at
-/// `speed` = |n.d| moves its root by e / speed; forming t rounds a few times more.
+/// `speed` = |n.d| moves its root by e / speed; forming t rounds a few times more. The shift grows
+/// with t. Where it grows as fast as the line comes near, the plane may never be met, but not
+/// sooner than where their sum has covered the distance: e = c + r t moves t to
+/// (t speed - c) / (speed + r), by e / (speed + r).
 [[nodiscard]] double plane_root_error(const RayInFrame auto& ray, double speed, double t,
                                       double size) {
-  return ray.shift_at(t, size) / speed + 4.0 * kRoundoff * std::abs(t);
+  return ray.shift_at(t, size) / (speed + ray.shift_rate()) + 4.0 * kRoundoff * std::abs(t);
 }
 
 } // namespace abbe

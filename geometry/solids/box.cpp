@@ -20,7 +20,7 @@ int nearest_face(const Box&, const dvec3& point, const dvec3& direction) {
   double highest = -kInfinity;
   for (int face = 0; face < 6; ++face) {
     const double sign = face % 2 ? 1.0 : -1.0, height = sign * point[face / 2];
-    if (sign * direction[face / 2] < 0.0 || height <= highest) continue;
+    if (height <= highest || runs_in(outward_normal(Box{}, point, face), direction)) continue;
     highest = height;
     nearest = face;
   }

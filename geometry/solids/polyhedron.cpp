@@ -109,7 +109,7 @@ int nearest_face(const ConvexPolyhedron& solid, const dvec3& point, const dvec3&
   double highest = -kInfinity;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const double height = height_above(planes[i], point);
-    if (glm::dot(planes[i].normal, direction) < 0.0 || height <= highest) continue;
+    if (height <= highest || runs_in(planes[i].normal, direction)) continue;
     highest = height;
     nearest = i;
   }

@@ -184,7 +184,7 @@ int nearest_face(const TaperedCylinder& solid, const dvec3& point, const dvec3& 
   int nearest = kSide;
   double highest = -kInfinity;
   for (int face = kSide; face <= kTop; ++face) {
-    if (glm::dot(outward_normal(solid, point, face), direction) < 0.0 || heights[face] <= highest)
+    if (heights[face] <= highest || runs_in(outward_normal(solid, point, face), direction))
       continue;
     highest = heights[face];
     nearest = face;

@@ -71,6 +71,10 @@ std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& 
     if (i.enter.t >= 0.0) return ShapeCrossing{i.enter.t, i.enter.t_error, i.enter.face, true};
     if (-i.enter.t <= i.enter.t_error && i.exit.t > -i.enter.t)
       return ShapeCrossing{0.0, i.enter.t_error, i.enter.face, true};
+    // A ray from an edge goes into the solid through another face than the one it is known to lie
+    // on: both are crossed at once, and the solid goes on in front and behind.
+    if (state.touching && i.enter.t < 0.0 && i.exit.t > i.exit.t_error)
+      return ShapeCrossing{0.0, 0.0, nearest_face(tree, ray.origin, -ray.direction), true};
   }
   return std::nullopt;
 }

@@ -5,6 +5,8 @@
 #include "geometry/world/shape_at_place.h"
 #include "geometry/world/world_callbacks.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,7 +32,10 @@ double bounds_padding(double farthest_coordinate) {
 dvec3 moved_near(const Ray& ray, double farthest_coordinate) {
   const double advance =
       -glm::dot(ray.origin, ray.direction) - std::numbers::sqrt3 * farthest_coordinate;
-  return advance > 0.0 ? ray.at(advance) : ray.origin;
+  // Embree takes no coordinate above 1.8e18 (Debian's ends the program). A ray that has gone so
+  // far meets planes alone, and those from anywhere.
+  constexpr double kFarthest = 5e17; // in the box of a plane
+  return glm::clamp(advance > 0.0 ? ray.at(advance) : ray.origin, -kFarthest, kFarthest);
 }
 
 dvec3 near_origin(const Ray& ray, double farthest_coordinate) {

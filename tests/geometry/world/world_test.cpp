@@ -381,3 +381,25 @@ TEST_CASE("world: a plane under a scene of solids changes no hit above it") {
   }
   CHECK(nearer > 2000);
 }
+
+TEST_CASE("a ray that has come from or gone to where no float reaches meets what its line meets") {
+  Scene scene;
+  scene.add(sphere());
+  scene.add(placed(plane(), glm::dmat3(1.0), {0, 0, -2}));
+  const World world(scene.shapes(), 10.0);
+  for (const double far : {1e17, 1e19, 1e30, 1e39}) {
+    INFO(far);
+    RayState state;
+    state.ray = {{0, 0, far}, {0, 0, 1}};
+    CHECK_FALSE(world.closest(state)); // it runs away
+    state.ray = {{far, 0, far}, {0, 0, -1}};
+    const auto ground = world.closest(state);
+    REQUIRE(ground);
+    CHECK(ground->shape.value == 1);
+    CHECK(ground->t == Approx(far));
+    std::vector<RayState> states(16, state);
+    std::vector<Hit> hits(16);
+    world.find_closest(states, hits, Tracing::packets);
+    CHECK(hits[3].met());
+  }
+}
