@@ -27,12 +27,30 @@ constexpr std::uint32_t kMostMapped = 1u << 15;
 constexpr double kLargestPart = 1.0 / 64.0;
 
 /// The part of the current pass whose splats are in the film: whole multiples of 2^-32, as the film
-/// counts, so that what is added from run to run is 1 in the end.
+/// counts, so that what is added from run to run, and by part after part, is 1 in the end.
 double part_in_film(const LightPassState& state) {
-  const auto chunks = static_cast<double>(state.is_in_film.size());
-  const auto in_film = static_cast<double>(
-      std::count(state.is_in_film.begin(), state.is_in_film.end(), std::uint8_t{1}));
-  return std::round(0x1p32 * in_film / chunks) * 0x1p-32;
+  const auto is = [](ChunkSplats which) { return [which](ChunkSplats c) { return c == which; }; };
+  const auto before = std::ranges::find_if_not(state.chunks, is(ChunkSplats::elsewhere));
+  const auto chunks = static_cast<double>(state.chunks.size());
+  const auto in_films =
+      static_cast<double>(std::distance(state.chunks.begin(), before) +
+                          std::ranges::count_if(state.chunks, is(ChunkSplats::added)));
+  return std::round(0x1p32 * in_films / chunks) * 0x1p-32;
+}
+
+/// Leaves the splats of all chunks but its own to the other parts. Each part whose camera samples
+/// need the pass has a run of chunks, after those of the parts before it.
+void leave_to_others(LightPassState& state, int samples_per_pixel) {
+  const int first = part_of_sample(state.samples.first, state.part.count, samples_per_pixel);
+  const int last = part_of_sample(state.samples.last - 1, state.part.count, samples_per_pixel);
+  const auto border = [&](int number) {
+    const int place = std::clamp(number - first, 0, last - first + 1);
+    return state.chunks.size() * static_cast<std::size_t>(place) /
+           static_cast<std::size_t>(last - first + 1);
+  };
+  const std::size_t begin = border(state.part.number), end = border(state.part.number + 1);
+  for (std::size_t c = 0; c < state.chunks.size(); ++c)
+    if (c < begin || c >= end) state.chunks[c] = ChunkSplats::elsewhere;
 }
 
 } // namespace
@@ -64,10 +82,22 @@ void LightPasses::begin(LightPassState& state, SampleRange samples) const {
       state.begun[e] += ended.shares[e];
   } else {
     state.first_radius = plan_.settings.photon_radius;
+    state.first_samples = samples;
   }
   ++state.passes;
   state.samples = samples;
-  state.is_in_film.assign(paths_of(samples).chunks.size(), 0);
+  state.chunks.assign(paths_of(samples).chunks.size(), ChunkSplats::missing);
+  if (!state.part.is_whole()) leave_to_others(state, plan_.settings.samples_per_pixel);
+}
+
+bool LightPasses::find_first_radius(LightPassState& state, const std::atomic<bool>& stop) const {
+  LightPassState first;
+  begin(first, state.first_samples);
+  std::ranges::fill(first.chunks, ChunkSplats::elsewhere);
+  Film nowhere({}, {});
+  const Followed followed = follow_chunks(paths_of(first.samples), first, nowhere, stop, nullptr);
+  if (followed.all) state.first_radius = first_photon_radius(followed.batches, largest_radius_);
+  return followed.all;
 }
 
 void LightPasses::follow(LightPaths& walker, const Chunk& chunk, const Paths& paths,
@@ -95,15 +125,17 @@ LightPasses::Followed LightPasses::follow_chunks(const Paths& paths, LightPassSt
     const DenormalsOff denormals_off;
     std::optional<LightPaths> with_splats, without; // made once they are needed
     for (std::size_t c = range.begin(); c < range.end() && !stop; ++c) {
-      const bool known = state.is_in_film[c] != 0;
+      const bool known = state.chunks[c] != ChunkSplats::missing;
       Chunk chunk = paths.chunks[c];
       if (known) chunk.last = std::min(chunk.last, paths.mapped[chunk.light]);
       counts[c].record = record;
       std::optional<LightPaths>& walker = known ? without : with_splats;
       if (!walker) walker.emplace(plan_, world_, emission_, camera_, known ? nowhere : film);
       follow(*walker, chunk, paths, state.begun[chunk.light], {result.batches[c], counts[c]});
-      if (known) counts[c] = {};
-      state.is_in_film[c] = 1;
+      if (known)
+        counts[c] = {};
+      else
+        state.chunks[c] = ChunkSplats::added;
       ++followed;
     }
   });
@@ -117,6 +149,7 @@ RayCounts LightPasses::run(LightPassState& state, Film& film, const std::atomic<
                            RayRecord* record) {
   if (mapped_pass_ == state.passes) return {};
   const auto begin = std::chrono::steady_clock::now();
+  if (state.passes > 1 && !(state.first_radius > 0.0) && !find_first_radius(state, stop)) return {};
   const double before = part_in_film(state);
   Followed followed = follow_chunks(paths_of(state.samples), state, film, stop, record);
   film.add_light_passes(part_in_film(state) - before);
