@@ -48,7 +48,8 @@ constexpr Permission kPermissions[] = {
     {"core/film/file_backed_sums.cpp", "fcntl.h"},
     {"core/film/file_backed_sums.cpp", "sys/mman.h"},
     {"core/film/file_backed_sums.cpp", "unistd.h"},
-    {"core/bundles/denormals.h", "immintrin.h"}, // flushes denormal numbers
+    {"core/bundles/denormals.h", "immintrin.h"},    // flushes denormal numbers
+    {"geometry/rays/float_traps.h", "immintrin.h"}, // traps of floating-point exceptions
     {"io/", "io/"},
     {"io/", "core/"},
     {"io/", "geometry/"},

@@ -152,7 +152,11 @@ std::optional<std::string> wrong_bytes(Scene scene) {
   scene.settings.height = 20;
   scene.settings.samples_per_pixel = 1;
   scene.settings.threads = 1;
-  const auto picture = [](const Scene& changed) { return bits(test::render_scene(changed, true)); };
+  const auto picture = [](const Scene& changed, const char* embree = nullptr) {
+    const Plan plan = make_plan(changed, changed.settings);
+    const World world(changed.shapes, farthest_coordinate(changed), embree);
+    return bits(render(changed, plan, world, BandPlace{}));
+  };
   const auto expected = picture(scene);
   for (const int threads : {2, 7}) {
     Scene changed = scene;
@@ -165,6 +169,9 @@ std::optional<std::string> wrong_bytes(Scene scene) {
   changed = scene;
   changed.settings.tracing = Tracing::single;
   if (picture(changed) != expected) return "single rays change bytes";
+  // Packets of four and eight rays.
+  for (const char* embree : {"isa=sse2", "isa=avx"})
+    if (picture(scene, embree) != expected) return fmt::format("Embree's {} changes bytes", embree);
   return {};
 }
 

@@ -8,11 +8,16 @@
 
 #include <unistd.h>
 
+#include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 
 namespace abbe::stress {
 namespace {
+
+constexpr int kMostShrunk = 5;
+constexpr std::chrono::seconds kShrinkingTime(60);
 
 const char* name_of(Asked asked) {
   switch (asked) {
@@ -47,8 +52,13 @@ std::string report(const RandomScene& scene, const Question& question) {
       return {};
     }
   };
+  // Where much is broken, each failing scene need not be as small as can be.
+  static std::atomic<int> failures = 0;
+  const auto end = std::chrono::steady_clock::now() + kShrinkingTime;
   const RandomScene small =
-      shrunk(scene, [&](const RandomScene& candidate) { return answer(candidate).has_value(); });
+      ++failures > kMostShrunk ? scene : shrunk(scene, [&](const RandomScene& candidate) {
+        return std::chrono::steady_clock::now() < end && answer(candidate).has_value();
+      });
   const std::string what = answer(small).value_or("it no longer fails");
   const std::string file =
       fmt::format("{}/{}_{}.sdl", folder(), name_of(question.asked), scene.seed);
