@@ -61,6 +61,8 @@ private:
   [[nodiscard]] bool stopped() const {
     return (control_.stop && *control_.stop) || (pause_ < kInfinity && meter_.seconds() >= pause_);
   }
+  /// How long the rendering has taken, with earlier ranges.
+  [[nodiscard]] double seconds() const { return state_.seconds + meter_.seconds(); }
   /// True when nothing is to be rendered any more, be the range done or not.
   [[nodiscard]] bool over() const;
   /// True where samples or errors of a pass decide on what comes after it, so that passes must not
@@ -128,8 +130,7 @@ bool RangeRenderer::run() {
 bool RangeRenderer::over() const {
   if (stopped()) return true;
   // The first pass is finished, however short the time.
-  return settings_.seconds > 0.0 && state_.done > 0 &&
-         state_.seconds + meter_.seconds() >= settings_.seconds;
+  return settings_.seconds > 0.0 && state_.done > 0 && seconds() >= settings_.seconds;
 }
 
 bool RangeRenderer::decides() const {
@@ -159,8 +160,14 @@ void RangeRenderer::light_pass(int last) {
   LightPasses& passes = context_.light_passes;
   if (!passes.needed()) return;
   const int done = state_.done;
-  if (done >= state_.light.samples.last)
-    passes.begin(state_.light, {done, schedule_.end_of_light_pass(done, last)});
+  if (done >= state_.light.samples.last) {
+    if (over()) return;
+    SampleRange samples{done, schedule_.end_of_light_pass(done, last)};
+    if (settings_.seconds > 0.0 && done > 0)
+      samples.last = SampleSchedule::end_in_time(samples, state_.light_seconds + passes.seconds(),
+                                                 settings_.seconds - seconds());
+    passes.begin(state_.light, samples);
+  }
   static const std::atomic<bool> never = false;
   arena_.execute([&] {
     meter_.add(passes.run(state_.light, state_.film, control_.stop ? *control_.stop : never,
