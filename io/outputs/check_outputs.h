@@ -9,9 +9,9 @@ namespace abbe {
 
 /// Where the images of a render go, and its state.
 struct Outputs {
-  std::vector<std::filesystem::path> images;       ///< at least one, unless a part is rendered
-  std::optional<std::filesystem::path> spectral;   ///< the EXR of all bands
-  std::optional<std::filesystem::path> state = {}; ///< from which the rendering can go on
+  std::vector<std::filesystem::path> images;          ///< at least one, unless a part is rendered
+  std::optional<std::filesystem::path> spectral = {}; ///< the EXR of all bands
+  std::optional<std::filesystem::path> state = {};    ///< from which the rendering can go on
 };
 
 /// Where the image goes that an interrupted render leaves. There must be images.
