@@ -156,11 +156,9 @@ void RangeRenderer::light_pass(int last) {
   const int done = state_.done;
   if (done >= state_.light.samples.last)
     passes.begin(state_.light, {done, schedule_.end_of_light_pass(done, last)});
-  static const std::atomic<bool> never = false;
-  arena_.execute([&] {
-    meter_.add(passes.run(state_.light, state_.film, control_.stop ? *control_.stop : never,
-                          control_.record));
-  });
+  const IsOver is_over = [this] { return over(); };
+  arena_.execute(
+      [&] { meter_.add(passes.run(state_.light, state_.film, is_over, control_.record)); });
 }
 
 PassSamples RangeRenderer::samples_of(const TileState& tile, int last) const {

@@ -1,5 +1,7 @@
 #include "io/files/atomic_file.h"
 
+#include "io/files/temporary_names.h"
+
 #include <fmt/format.h>
 
 #include <fcntl.h>
@@ -100,6 +102,7 @@ public:
     if (target_.old && target_.old->st_nlink > 1) return fill_target();
     if (name_.empty()) link();
     if (::rename(name_.c_str(), target_.path.c_str()) != 0) throw_errno();
+    removed_by_signals_.reset();
     name_.clear();
   }
 
@@ -111,13 +114,18 @@ private:
     return folder_of(target_.path) / fmt::format(".abbe-{}-{}.tmp", ::getpid(), attempt);
   }
 
+  void set_name(const fs::path& path) {
+    removed_by_signals_.emplace(path);
+    name_ = path;
+  }
+
   void open_named() {
     // O_EXCL and not the process id alone: two machines of a farm may share folder and id.
     for (int attempt = 0; file_ < 0; ++attempt) {
       const fs::path path = name(attempt);
       file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       if (file_ >= 0)
-        name_ = path;
+        set_name(path);
       else if (errno != EEXIST)
         throw_errno();
     }
@@ -128,8 +136,7 @@ private:
     for (int attempt = 0;; ++attempt) {
       const fs::path path = name(attempt);
       if (::linkat(AT_FDCWD, open_path().c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0) {
-        name_ = path;
-        return;
+        return set_name(path);
       }
       if (errno != EEXIST) throw_errno();
     }
@@ -157,6 +164,7 @@ private:
 
   Target target_;
   fs::path name_; ///< empty for an unnamed file
+  std::optional<TemporaryName> removed_by_signals_;
   int file_ = -1;
 };
 

@@ -65,6 +65,12 @@ std::uint64_t available_memory() {
   return std::min({free_on_machine(), free_in_group(), free_address_space()});
 }
 
+std::uint64_t memory_in_use() {
+  std::ifstream file("/proc/self/statm");
+  std::uint64_t all = 0, resident = 0;
+  return file >> all >> resident ? resident * 4096 : 0;
+}
+
 std::string memory_text(std::uint64_t bytes) {
   constexpr double kMiB = 1 << 20, kGiB = 1 << 30;
   const auto size = static_cast<double>(bytes);
