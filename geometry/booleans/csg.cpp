@@ -168,20 +168,27 @@ dvec3 snapped(const CsgTree& tree, const dvec3& point, FaceId face) {
       leaf.solid);
 }
 
-FaceId nearest_face(const CsgTree& tree, const dvec3& point) {
+FaceId nearest_face(const CsgTree& tree, const dvec3& point, const dvec3& direction) {
   FaceId nearest;
+  bool can_leave = false; // by the nearest one so far
   double smallest = kInfinity;
   for (std::size_t i = 0; i < tree.leaves().size(); ++i) {
     const CsgLeaf& leaf = tree.leaves()[i];
-    std::visit(
+    // The solid ends where a leaf that is taken away begins.
+    const dvec3 d = leaf.to_tree.inverse_vector(leaf.flipped ? -direction : direction);
+    const int face = std::visit(
         [&](const auto& solid) {
-          const dvec3 p = leaf.to_tree.inverse_point(point);
-          const double distance = std::abs(signed_distance(solid, p));
-          if (distance >= smallest) return;
-          smallest = distance;
-          nearest = {static_cast<std::int32_t>(i), nearest_face(solid, p)};
+          return nearest_face(solid, leaf.to_tree.inverse_point(point), d);
         },
         leaf.solid);
+    const FaceId id{static_cast<std::int32_t>(i), face};
+    const dvec3 normal = outward_normal(tree, point, id);
+    const double distance = std::abs(glm::dot(normal, point - snapped(tree, point, id)));
+    const bool leaves = glm::dot(normal, direction) >= 0.0;
+    if (leaves < can_leave || (leaves == can_leave && distance >= smallest)) continue;
+    smallest = distance;
+    can_leave = leaves;
+    nearest = id;
   }
   return nearest;
 }

@@ -55,7 +55,8 @@ void intersect(const CsgTree& tree, const LocalRay& ray, std::span<const CsgCont
                std::vector<Interval>& intervals);
 [[nodiscard]] dvec3 outward_normal(const CsgTree& tree, const dvec3& point, FaceId face);
 [[nodiscard]] dvec3 snapped(const CsgTree& tree, const dvec3& point, FaceId face);
-[[nodiscard]] FaceId nearest_face(const CsgTree& tree, const dvec3& point);
+/// The nearest of the faces that a ray in this direction does not run in from.
+[[nodiscard]] FaceId nearest_face(const CsgTree& tree, const dvec3& point, const dvec3& direction);
 /// Negative inside, positive outside; only the sign is meaningful far from the surface.
 [[nodiscard]] double signed_distance(const CsgTree& tree, const dvec3& point);
 [[nodiscard]] Bounds bounds(const CsgTree& tree, const Transform& to_world);

@@ -15,11 +15,16 @@ dvec3 outward_normal(const Box&, const dvec3&, int face) {
   return n;
 }
 
-int nearest_face(const Box&, const dvec3& point) {
-  int axis = 0;
-  for (int i = 1; i < 3; ++i)
-    if (std::abs(point[i]) > std::abs(point[axis])) axis = i;
-  return 2 * axis + (point[axis] > 0.0 ? 1 : 0);
+int nearest_face(const Box&, const dvec3& point, const dvec3& direction) {
+  int nearest = 0;
+  double highest = -kInfinity;
+  for (int face = 0; face < 6; ++face) {
+    const double sign = face % 2 ? 1.0 : -1.0, height = sign * point[face / 2];
+    if (sign * direction[face / 2] < 0.0 || height <= highest) continue;
+    highest = height;
+    nearest = face;
+  }
+  return nearest;
 }
 
 double signed_distance(const Box&, const dvec3& point) {

@@ -49,7 +49,8 @@ struct Box {};
   const int axis = face / 2;
   return {axis == 0 ? at : p.x, axis == 1 ? at : p.y, axis == 2 ? at : p.z};
 }
-[[nodiscard]] int nearest_face(const Box& box, const dvec3& point);
+/// The nearest of the faces that a ray in this direction does not run in from.
+[[nodiscard]] int nearest_face(const Box& box, const dvec3& point, const dvec3& direction);
 [[nodiscard]] double signed_distance(const Box& box, const dvec3& point);
 [[nodiscard]] Bounds bounds(const Box& box, const Transform& to_world);
 

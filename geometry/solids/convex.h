@@ -16,7 +16,7 @@ using Convex = std::variant<Sphere, Box, ConvexPolyhedron, TaperedCylinder>;
 template <class S>
 concept ConvexSolid = requires(const S& solid, const LocalRay& ray) {
   intersect(solid, ray, static_cast<const FaceContact*>(nullptr)).value().enter;
-  nearest_face(solid, ray.origin);
+  nearest_face(solid, ray.origin, ray.direction);
 };
 
 } // namespace abbe

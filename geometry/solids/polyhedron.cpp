@@ -39,6 +39,10 @@ std::vector<dvec3> corners(const std::vector<HalfSpace>& planes) {
   return found;
 }
 
+double height_above(const HalfSpace& h, const dvec3& point) {
+  return glm::dot(h.normal, point) - h.offset;
+}
+
 /// True when the mean of the corners lies under every plane, not in one.
 bool has_volume(const std::vector<HalfSpace>& planes, const std::vector<dvec3>& corners) {
   dvec3 mean(0.0);
@@ -99,19 +103,24 @@ dvec3 outward_normal(const ConvexPolyhedron& solid, const dvec3&, int face) {
   return solid.half_spaces()[static_cast<std::size_t>(face)].normal;
 }
 
-int nearest_face(const ConvexPolyhedron& solid, const dvec3& point) {
+int nearest_face(const ConvexPolyhedron& solid, const dvec3& point, const dvec3& direction) {
   const auto& planes = solid.half_spaces();
-  const auto height = [&](const HalfSpace& h) { return glm::dot(h.normal, point) - h.offset; };
-  const auto highest =
-      std::max_element(planes.begin(), planes.end(), [&](const HalfSpace& a, const HalfSpace& b) {
-        return height(a) < height(b);
-      });
-  return static_cast<int>(highest - planes.begin());
+  std::size_t nearest = 0;
+  double highest = -kInfinity;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const double height = height_above(planes[i], point);
+    if (glm::dot(planes[i].normal, direction) < 0.0 || height <= highest) continue;
+    highest = height;
+    nearest = i;
+  }
+  return static_cast<int>(nearest);
 }
 
 double signed_distance(const ConvexPolyhedron& solid, const dvec3& point) {
-  const HalfSpace& h = solid.half_spaces()[static_cast<std::size_t>(nearest_face(solid, point))];
-  return glm::dot(h.normal, point) - h.offset;
+  double highest = -kInfinity;
+  for (const HalfSpace& h : solid.half_spaces())
+    highest = std::max(highest, height_above(h, point));
+  return highest;
 }
 
 Bounds bounds(const ConvexPolyhedron& solid, const Transform& to_world) {

@@ -89,7 +89,9 @@ private:
   const HalfSpace& h = solid.half_spaces()[static_cast<std::size_t>(face)];
   return point - (glm::dot(h.normal, point) - h.offset) * h.normal;
 }
-[[nodiscard]] int nearest_face(const ConvexPolyhedron& solid, const dvec3& point);
+/// The nearest of the faces that a ray in this direction does not run in from.
+[[nodiscard]] int nearest_face(const ConvexPolyhedron& solid, const dvec3& point,
+                               const dvec3& direction);
 [[nodiscard]] double signed_distance(const ConvexPolyhedron& solid, const dvec3& point);
 [[nodiscard]] Bounds bounds(const ConvexPolyhedron& solid, const Transform& to_world);
 

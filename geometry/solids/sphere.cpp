@@ -4,7 +4,7 @@
 #include <cmath>
 
 namespace abbe {
-int nearest_face(const Sphere&, const dvec3&) {
+int nearest_face(const Sphere&, const dvec3&, const dvec3&) {
   return 0;
 }
 

@@ -61,7 +61,7 @@ struct Sphere {};
 [[nodiscard]] inline dvec3 snapped(const Sphere&, const dvec3& point, int) {
   return point / glm::length(point);
 }
-[[nodiscard]] int nearest_face(const Sphere& sphere, const dvec3& point);
+[[nodiscard]] int nearest_face(const Sphere& sphere, const dvec3& point, const dvec3& direction);
 /// Negative inside, positive outside, zero on the surface; near the surface it is the distance.
 [[nodiscard]] double signed_distance(const Sphere& sphere, const dvec3& point);
 [[nodiscard]] Bounds bounds(const Sphere& sphere, const Transform& to_world);

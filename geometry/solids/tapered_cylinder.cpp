@@ -1,7 +1,6 @@
 #include "geometry/solids/tapered_cylinder.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace abbe {
@@ -114,6 +113,12 @@ private:
   double root_d_ = 0.0, discriminant_error_ = 0.0;
 };
 
+/// The distance from the side's cone, below 0 inside.
+double side_height(const TaperedCylinder& solid, const dvec3& point) {
+  return (std::sqrt(dot_xy(point, point)) - 1.0 - solid.slope() * point.z) /
+         std::hypot(1.0, solid.slope());
+}
+
 Root cap_root(const LocalRay& ray, int face) {
   const double t = ((face == kTop ? 1.0 : 0.0) - ray.origin.z) / ray.direction.z;
   return {t, plane_root_error(ray, std::abs(ray.direction.z), t, 1.0), {0, face}};
@@ -174,18 +179,21 @@ dvec3 snapped(const TaperedCylinder& solid, const dvec3& point, int face) {
   return {point.x * shrink, point.y * shrink, point.z + k * off};
 }
 
-int nearest_face(const TaperedCylinder& solid, const dvec3& point) {
-  const std::array<double, 3> heights{
-      (std::sqrt(dot_xy(point, point)) - 1.0 - solid.slope() * point.z) /
-          std::hypot(1.0, solid.slope()),
-      -point.z, point.z - 1.0};
-  return static_cast<int>(std::max_element(heights.begin(), heights.end()) - heights.begin());
+int nearest_face(const TaperedCylinder& solid, const dvec3& point, const dvec3& direction) {
+  const double heights[] = {side_height(solid, point), -point.z, point.z - 1.0};
+  int nearest = kSide;
+  double highest = -kInfinity;
+  for (int face = kSide; face <= kTop; ++face) {
+    if (glm::dot(outward_normal(solid, point, face), direction) < 0.0 || heights[face] <= highest)
+      continue;
+    highest = heights[face];
+    nearest = face;
+  }
+  return nearest;
 }
 
 double signed_distance(const TaperedCylinder& solid, const dvec3& point) {
-  const double side = (std::sqrt(dot_xy(point, point)) - 1.0 - solid.slope() * point.z) /
-                      std::hypot(1.0, solid.slope());
-  return std::max({side, -point.z, point.z - 1.0});
+  return std::max({side_height(solid, point), -point.z, point.z - 1.0});
 }
 
 Bounds bounds(const TaperedCylinder& solid, const Transform& to_world) {

@@ -21,7 +21,9 @@ struct TaperedCylinder {
                                                 const FaceContact* contact = nullptr);
 [[nodiscard]] dvec3 outward_normal(const TaperedCylinder& solid, const dvec3& point, int face);
 [[nodiscard]] dvec3 snapped(const TaperedCylinder& solid, const dvec3& point, int face);
-[[nodiscard]] int nearest_face(const TaperedCylinder& solid, const dvec3& point);
+/// The nearest of the faces that a ray in this direction does not run in from.
+[[nodiscard]] int nearest_face(const TaperedCylinder& solid, const dvec3& point,
+                               const dvec3& direction);
 [[nodiscard]] double signed_distance(const TaperedCylinder& solid, const dvec3& point);
 [[nodiscard]] Bounds bounds(const TaperedCylinder& solid, const Transform& to_world);
 

@@ -63,8 +63,9 @@ std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& 
       if (i.enter.t > i.enter.t_error) break; // a later part of the solid
       return ShapeCrossing{i.exit.t, i.exit.t_error, i.exit.face, false};
     }
-    return ShapeCrossing{0.0, 0.0, just_left ? just_left->face : nearest_face(tree, ray.origin),
-                         false};
+    return ShapeCrossing{
+        0.0, 0.0, just_left ? just_left->face : nearest_face(tree, ray.origin, ray.direction),
+        false};
   }
   for (const Interval& i : intervals) {
     if (i.enter.t >= 0.0) return ShapeCrossing{i.enter.t, i.enter.t_error, i.enter.face, true};

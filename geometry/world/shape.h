@@ -116,7 +116,7 @@ template <ConvexSolid S>
   if (state.inside) {
     // The exit is endless only for a ray that runs out through the face it should run in from.
     if (!inside || inside->exit.t == kInfinity) {
-      next.set(0.0, 0.0, {0, nearest_face(solid, ray.origin)}, false);
+      next.set(0.0, 0.0, {0, nearest_face(solid, ray.origin, ray.direction)}, false);
       return true;
     }
     const auto& exit = inside->exit;
@@ -133,9 +133,9 @@ template <ConvexSolid S>
 }
 
 // The next crossing of one shape, t >= 0. A ray known to be inside always finds an exit: where
-// rounding leaves none, the exit is at t = 0 through the nearest face. A ray known to be outside
-// only enters; a mesh at t = 0 where its crossings ahead show that rounding has let the ray slip
-// in. The root of the touched face is never computed.
+// rounding leaves none, the exit is at t = 0 through the nearest face that it does not run in from.
+// A ray known to be outside only enters; a mesh at t = 0 where its crossings ahead show that
+// rounding has let the ray slip in. The root of the touched face is never computed.
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& ray,
                                                          const ShapeState& state);
 [[nodiscard]] std::optional<ShapeCrossing> next_crossing(const Mesh& mesh, const LocalRay& ray,

@@ -58,15 +58,23 @@ void set_ray(RTCRay& out, const Ray& ray, double farthest_coordinate, float tfar
   out.flags = 0;
 }
 
+/// In packets Embree (3.13.5) goes by the sign of a component of the direction, but takes one below
+/// 1e-18 for +1e-18: a tiny negative one loses other rays of the packet. Zero has no sign for it,
+/// and moves the ray by less than the bounds are padded by.
+float direction_in_packet(double component) {
+  const auto rounded = static_cast<float>(component);
+  return std::abs(rounded) < 1e-17f ? 0.0f : rounded;
+}
+
 template <class Packet>
 void set_ray(Packet& out, unsigned i, const Ray& ray, double farthest_coordinate, float tfar) {
   const dvec3 origin = near_origin(ray, farthest_coordinate);
   out.org_x[i] = static_cast<float>(origin.x);
   out.org_y[i] = static_cast<float>(origin.y);
   out.org_z[i] = static_cast<float>(origin.z);
-  out.dir_x[i] = static_cast<float>(ray.direction.x);
-  out.dir_y[i] = static_cast<float>(ray.direction.y);
-  out.dir_z[i] = static_cast<float>(ray.direction.z);
+  out.dir_x[i] = direction_in_packet(ray.direction.x);
+  out.dir_y[i] = direction_in_packet(ray.direction.y);
+  out.dir_z[i] = direction_in_packet(ray.direction.z);
   out.tnear[i] = 0.0f;
   out.tfar[i] = tfar;
   out.time[i] = 0.0f;

@@ -11,10 +11,11 @@ namespace abbe {
 /// fill it. When it returns, that file is flushed to the disk and takes the name of `target` in one
 /// step. When anything fails, or the process ends, nothing is left of it and `target` stays as it
 /// was. Only where the file system has no unnamed files, a process that is ended other than by a
-/// signal of `interrupted` (io/console/interrupt.h) leaves a file `.abbe-....tmp`. A target that is
-/// a symbolic link stays one; the file it points to is replaced, and keeps its permissions. One
-/// that has several names (hard links) is filled anew in its place, so that it keeps them; that is
-/// not one step.
+/// signal of `interrupted` (io/console/interrupt.h) leaves a file `.abbe-HOST-....tmp`, which the
+/// next one that writes into the folder from the same machine removes. A target that is a symbolic
+/// link stays one; the file it points to is replaced, and keeps its permissions. One that has
+/// several names (hard links) is filled anew in its place, so that it keeps them; that is not one
+/// step.
 ///
 /// Errors: `std::runtime_error` "cannot write TARGET: REASON", where the reason is the system's or
 /// the text of the exception that `write` threw.

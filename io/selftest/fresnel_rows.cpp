@@ -55,6 +55,13 @@ SelftestRows fresnel_rows() {
                                                    "transparency 1 reflectivity 1 cube");
   rows.push_back({"Fresnel", "a plate of n = 1.5 lets through", "(1 - R) / (1 + R), R = 0.04",
                   0.96 / 1.04, 1.0 - plate.film.alpha(0, 0), 1e-6});
+  // A pencil of rays that leaves glass widens, so that its radiance falls by n^2. The card reflects
+  // nothing of what the face throws back.
+  const std::string card = "defaultMaterials emissive 1 1 1 scale 0.9 0.9 1 square";
+  const double r0 = std::pow((kBk7 - 1.0) / (kBk7 + 1.0), 2);
+  rows.push_back({"Fresnel", "a shining card inside N-BK7, 500 nm", "(1 - R) / n^2",
+                  (1.0 - r0) / (kBk7 * kBk7),
+                  radiance_seen("glass N-BK7 cube " + card, kNm) / radiance_seen(card, kNm), 1e-6});
   return rows;
 }
 

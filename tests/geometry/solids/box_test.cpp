@@ -84,7 +84,8 @@ TEST_CASE("box: t_error bounds the error of both roots") {
 
 TEST_CASE("box: snapping, nearest face, distance") {
   REQUIRE(snapped(Box{}, {0.9, 0.5, 0.25}, 1) == dvec3(1, 0.5, 0.25));
-  REQUIRE(nearest_face(Box{}, {0.1, -0.9, 0.3}) == 2);
+  REQUIRE(nearest_face(Box{}, {0.1, -0.9, 0.3}, {0.1, -0.2, 0.9}) == 2);
+  REQUIRE(nearest_face(Box{}, {0.1, -0.9, 0.3}, {0.1, 0.2, 0.9}) == 5); // it runs into face 2
   REQUIRE(signed_distance(Box{}, {0.1, -0.75, 0.3}) == -0.25);
   REQUIRE(signed_distance(Box{}, {0.1, 0.2, 3.0}) == 2.0);
 }

@@ -106,8 +106,10 @@ TEST_CASE("tapered cylinder: normal, snapping, distance, bounds") {
   CHECK(glm::length(snapped(kCone, {1, 0, 1}, 0) - dvec3(0.5, 0, 0.5)) < 1e-15);
   CHECK(signed_distance(kCylinder, {0, 0, 0.5}) == -0.5);
   CHECK(signed_distance(kCylinder, {3, 0, 0.5}) == 2.0);
-  CHECK(nearest_face(kCylinder, {0.1, 0, 0.9}) == 2);
-  CHECK(nearest_face(kCylinder, {0.95, 0, 0.9}) == 0);
+  CHECK(nearest_face(kCylinder, {0.1, 0, 0.9}, {1, 0, 1}) == 2);
+  CHECK(nearest_face(kCylinder, {0.95, 0, 0.9}, {1, 0, 1}) == 0);
+  CHECK(nearest_face(kCylinder, {0.95, 0, 0.9}, {-1, 0, 1}) == 2); // it runs into the side
+  CHECK(nearest_face(kCylinder, {0.1, 0, 0.9}, {1, 0, 0}) == 2);
   const Bounds box = bounds(kFunnel, Transform::scaling({1, 2, -3}));
   CHECK(box.lower == dvec3(-2, -4, -3));
   CHECK(box.upper == dvec3(2, 4, 0));

@@ -75,6 +75,32 @@ TEST_CASE("packets and single rays give the same bits") {
   CHECK(hits > rays / 10);
 }
 
+TEST_CASE("a component of a direction next to zero loses no other ray of a packet") {
+  Random random(42);
+  const World world(clutter(random).shapes(), 10.0);
+  int hits = 0;
+  for (int k = 0; k < 2000; ++k) {
+    std::vector<RayState> states(16);
+    for (RayState& state : states) {
+      dvec3 d = random.direction();
+      if (random.chance(0.2))
+        d[random.below(3)] = (random.chance(0.5) ? 1.0 : -1.0) *
+                             std::pow(10.0, random.uniform(random.chance(0.5) ? -40 : -20, -16));
+      state.ray = {random.in_cube(8.0), glm::normalize(d)};
+      state.nesting = world.nesting_at(state.ray.origin);
+    }
+    std::vector<Hit> single(16), packet(16);
+    world.find_closest(states, single, Tracing::single);
+    world.find_closest(states, packet, Tracing::packets);
+    for (std::size_t i = 0; i < 16; ++i) {
+      REQUIRE(single[i].met() == packet[i].met());
+      hits += single[i].met();
+      if (single[i].met()) REQUIRE(same(single[i], packet[i]));
+    }
+  }
+  CHECK(hits > 16000);
+}
+
 TEST_CASE("the order of shapes changes nothing but their numbers") {
   Random random(41);
   std::vector<PlacedShape> shapes = clutter(random).shapes(), reversed = shapes;

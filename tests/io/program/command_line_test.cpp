@@ -388,7 +388,7 @@ TEST_CASE("what cannot be written or rendered is told before the work, and nothi
   refuses("-o missing/a.exr", "there is no folder missing");
   refuses("-o folder.exr", "this is a folder");
   refuses("--spectral a.tiff", "all bands go into an EXR");
-  refuses("-o a.exr --spectral ./a.exr", "two pictures would have this name");
+  refuses("-o a.exr --spectral ./a.exr", "two outputs would have this name");
   const Outcome missing = folder.run("render other.sdl");
   CHECK(missing.exit_code == 2);
   CHECK(contains(missing.error, "other.sdl: the file cannot be read"));
