@@ -12,13 +12,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 namespace abbe {
 namespace {
 
-/// The paths of a chunk; their photons are kept in the order of their numbers.
-constexpr std::uint32_t kChunk = 2048;
+/// The paths of a chunk; their photons are kept in the order of their numbers. Splats of a chunk
+/// are held back until its end, so it must be small.
+constexpr std::uint32_t kChunk = 256;
 
 /// Light paths that fill the photon map of one pass; what more there are add splats only.
 constexpr std::uint32_t kMostMapped = 1u << 15;
@@ -51,6 +53,16 @@ void leave_to_others(LightPassState& state, int samples_per_pixel) {
   const std::size_t begin = border(state.part.number), end = border(state.part.number + 1);
   for (std::size_t c = 0; c < state.chunks.size(); ++c)
     if (c < begin || c >= end) state.chunks[c] = ChunkSplats::elsewhere;
+}
+
+/// By how much the numbers of chunks differ that come after each other: by a part of all that is
+/// near the golden ratio, and such that each chunk has its turn. So a run that ends early has
+/// followed about the same part of each light's chunks, however many lights there are.
+std::size_t step_of_turns(std::size_t chunks) {
+  std::size_t step = std::max<std::size_t>(1, chunks * 618 / 1000);
+  while (std::gcd(step, chunks) > 1)
+    ++step;
+  return step;
 }
 
 } // namespace
@@ -90,17 +102,18 @@ void LightPasses::begin(LightPassState& state, SampleRange samples) const {
   if (!state.part.is_whole()) leave_to_others(state, plan_.settings.samples_per_pixel);
 }
 
-bool LightPasses::find_first_radius(LightPassState& state, const std::atomic<bool>& stop) const {
+bool LightPasses::find_first_radius(LightPassState& state, const IsOver& is_over) const {
   LightPassState first;
   begin(first, state.first_samples);
   std::ranges::fill(first.chunks, ChunkSplats::elsewhere);
   Film nowhere({}, {});
-  const Followed followed = follow_chunks(paths_of(first.samples), first, nowhere, stop, nullptr);
+  const Followed followed =
+      follow_chunks(paths_of(first.samples), first, nowhere, is_over, nullptr);
   if (followed.all) state.first_radius = first_photon_radius(followed.batches, largest_radius_);
   return followed.all;
 }
 
-void LightPasses::follow(LightPaths& walker, const Chunk& chunk, const Paths& paths,
+bool LightPasses::follow(LightPaths& walker, const Chunk& chunk, const Paths& paths,
                          std::uint32_t begun, const Found& found) const {
   const std::size_t light = chunk.light;
   for (std::uint32_t i = chunk.first; i < chunk.last; ++i) {
@@ -108,15 +121,17 @@ void LightPasses::follow(LightPaths& walker, const Chunk& chunk, const Paths& pa
     const auto ray = emission_.lights()[light].sample(sampler);
     if (!ray) continue;
     const bool keeps = i < paths.mapped[light];
-    walker.trace(*ray, sampler, 1.0 / paths.shares[light], keeps ? &found.photons : nullptr,
-                 1.0 / std::min(paths.mapped[light], paths.shares[light]), found.counts);
+    if (!walker.trace(*ray, sampler, 1.0 / paths.shares[light], keeps ? &found.photons : nullptr,
+                      1.0 / std::min(paths.mapped[light], paths.shares[light]), found.counts))
+      return false;
   }
+  return true;
 }
 
 LightPasses::Followed LightPasses::follow_chunks(const Paths& paths, LightPassState& state,
-                                                 Film& film, const std::atomic<bool>& stop,
+                                                 Film& film, const IsOver& is_over,
                                                  RayRecord* record) const {
-  const std::size_t count = paths.chunks.size();
+  const std::size_t count = paths.chunks.size(), step = step_of_turns(count);
   Film nowhere({}, {}); // it has no pixels, so that splats fall beside it
   Followed result{std::vector<PhotonBatch>(count), {}, false};
   std::vector<RayCounts> counts(count);
@@ -124,14 +139,22 @@ LightPasses::Followed LightPasses::follow_chunks(const Paths& paths, LightPassSt
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [&](const auto& range) {
     const DenormalsOff denormals_off;
     std::optional<LightPaths> with_splats, without; // made once they are needed
-    for (std::size_t c = range.begin(); c < range.end() && !stop; ++c) {
+    for (std::size_t turn = range.begin(); turn < range.end() && !is_over(); ++turn) {
+      const std::size_t c = turn * step % count;
       const bool known = state.chunks[c] != ChunkSplats::missing;
       Chunk chunk = paths.chunks[c];
       if (known) chunk.last = std::min(chunk.last, paths.mapped[chunk.light]);
       counts[c].record = record;
       std::optional<LightPaths>& walker = known ? without : with_splats;
       if (!walker) walker.emplace(plan_, world_, emission_, camera_, known ? nowhere : film);
-      follow(*walker, chunk, paths, state.begun[chunk.light], {result.batches[c], counts[c]});
+      walker->end_with(is_over);
+      const Found found{result.batches[c], counts[c]};
+      if (!follow(*walker, chunk, paths, state.begun[chunk.light], found)) {
+        walker->drop_splats();
+        counts[c] = {};
+        break;
+      }
+      walker->add_splats();
       if (known)
         counts[c] = {};
       else
@@ -145,13 +168,14 @@ LightPasses::Followed LightPasses::follow_chunks(const Paths& paths, LightPassSt
   return result;
 }
 
-RayCounts LightPasses::run(LightPassState& state, Film& film, const std::atomic<bool>& stop,
+RayCounts LightPasses::run(LightPassState& state, Film& film, const IsOver& is_over,
                            RayRecord* record) {
   if (mapped_pass_ == state.passes) return {};
   const auto begin = std::chrono::steady_clock::now();
-  if (state.passes > 1 && !(state.first_radius > 0.0) && !find_first_radius(state, stop)) return {};
+  if (state.passes > 1 && !(state.first_radius > 0.0) && !find_first_radius(state, is_over))
+    return {};
   const double before = part_in_film(state);
-  Followed followed = follow_chunks(paths_of(state.samples), state, film, stop, record);
+  Followed followed = follow_chunks(paths_of(state.samples), state, film, is_over, record);
   film.add_light_passes(part_in_film(state) - before);
   if (followed.all) {
     if (!(state.first_radius > 0.0))

@@ -5,10 +5,10 @@
 #include "core/bundles/statistics.h"
 #include "core/cameras/placed_camera.h"
 #include "core/film/film.h"
+#include "core/integrators/integrator.h"
 #include "core/integrators/photon_map.h"
 #include "core/lights/emission.h"
 
-#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -54,15 +54,14 @@ public:
   void begin(LightPassState& state, SampleRange samples) const;
   /// Runs the current pass within the current task arena, unless the map holds its photons already.
   /// Splats that the film has already, because an earlier run was stopped or its map is gone, are
-  /// not added again, and the rays that led to them not counted again. Setting `stop` ends the run
-  /// soon; then the map does not hold the pass.
-  RayCounts run(LightPassState& state, Film& film, const std::atomic<bool>& stop,
-                RayRecord* record);
+  /// not added again, and the rays that led to them not counted again. Where `is_over` says so, the
+  /// run ends soon, also within a path; then the map does not hold the pass.
+  RayCounts run(LightPassState& state, Film& film, const IsOver& is_over, RayRecord* record);
 
 private:
   /// Finds the radius of the first pass's photon map for a part of the rendering that begins after
   /// that pass. False when it was stopped.
-  bool find_first_radius(LightPassState& state, const std::atomic<bool>& stop) const;
+  bool find_first_radius(LightPassState& state, const IsOver& is_over) const;
 
   /// A run of one light's paths, which one task follows.
   struct Chunk {
@@ -81,8 +80,9 @@ private:
     PhotonBatch& photons;
     RayCounts& counts;
   };
-  /// Follows a chunk's paths. `begun` of the light's paths belong to earlier passes.
-  void follow(LightPaths& walker, const Chunk& chunk, const Paths& paths, std::uint32_t begun,
+  /// Follows a chunk's paths. `begun` of the light's paths belong to earlier passes. False where
+  /// they were given up.
+  bool follow(LightPaths& walker, const Chunk& chunk, const Paths& paths, std::uint32_t begun,
               const Found& found) const;
   /// What all chunks have found, in their order.
   struct Followed {
@@ -91,7 +91,7 @@ private:
     bool all; ///< none was left out by a stop
   };
   [[nodiscard]] Followed follow_chunks(const Paths& paths, LightPassState& state, Film& film,
-                                       const std::atomic<bool>& stop, RayRecord* record) const;
+                                       const IsOver& is_over, RayRecord* record) const;
 
   const Plan& plan_;
   const World& world_;

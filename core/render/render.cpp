@@ -168,11 +168,9 @@ void RangeRenderer::light_pass(int last) {
                                                  settings_.seconds - seconds());
     passes.begin(state_.light, samples);
   }
-  static const std::atomic<bool> never = false;
-  arena_.execute([&] {
-    meter_.add(passes.run(state_.light, state_.film, control_.stop ? *control_.stop : never,
-                          control_.record));
-  });
+  const IsOver is_over = [this] { return over(); };
+  arena_.execute(
+      [&] { meter_.add(passes.run(state_.light, state_.film, is_over, control_.record)); });
 }
 
 PassSamples RangeRenderer::samples_of(const TileState& tile, int last) const {

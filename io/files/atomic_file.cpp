@@ -1,5 +1,7 @@
 #include "io/files/atomic_file.h"
 
+#include "io/files/temporary_names.h"
+
 #include <fmt/format.h>
 
 #include <fcntl.h>
@@ -135,6 +137,7 @@ public:
     if (target_.old && target_.old->st_nlink > 1) return fill_target();
     if (name_.empty()) link();
     if (::rename(name_.c_str(), target_.path.c_str()) != 0) throw_errno();
+    removed_by_signals_.reset();
     name_.clear();
   }
 
@@ -145,6 +148,11 @@ private:
   [[nodiscard]] fs::path name(int attempt) const {
     return folder_of(target_.path) /
            fmt::format("{}{}-{}.tmp", temporary_prefix(), ::getpid(), attempt);
+  }
+
+  void set_name(const fs::path& path) {
+    removed_by_signals_.emplace(path);
+    name_ = path;
   }
 
   void open_named() {
@@ -163,7 +171,7 @@ private:
     struct stat status{};
     if (!lock_if_free(file_) && errno == EWOULDBLOCK) return false;
     if (::fstat(file_, &status) == 0 && status.st_nlink == 0) return false;
-    name_ = path;
+    set_name(path);
     return true;
   }
 
@@ -171,10 +179,8 @@ private:
   void link() {
     for (int attempt = 0;; ++attempt) {
       const fs::path path = name(attempt);
-      if (::linkat(AT_FDCWD, open_path().c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0) {
-        name_ = path;
-        return;
-      }
+      if (::linkat(AT_FDCWD, open_path().c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0)
+        return set_name(path);
       if (errno != EEXIST) throw_errno();
     }
   }
@@ -201,6 +207,7 @@ private:
 
   Target target_;
   fs::path name_; ///< empty for an unnamed file
+  std::optional<TemporaryName> removed_by_signals_;
   int file_ = -1;
 };
 

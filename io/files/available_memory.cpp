@@ -69,6 +69,12 @@ std::uint64_t address_space() {
   return number_in("/proc/self/statm").value_or(0) * 4096;
 }
 
+std::uint64_t memory_in_use() {
+  std::ifstream file("/proc/self/statm");
+  std::uint64_t all = 0, resident = 0;
+  return file >> all >> resident ? resident * 4096 : 0;
+}
+
 std::string memory_text(std::uint64_t bytes) {
   constexpr double kMiB = 1 << 20, kGiB = 1 << 30;
   const auto size = static_cast<double>(bytes);

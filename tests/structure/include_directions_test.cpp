@@ -76,6 +76,7 @@ constexpr Permission kPermissions[] = {
     {"io/files/atomic_file.cpp", "sys/stat.h"},
     {"io/files/atomic_file.cpp", "unistd.h"},
     {"io/files/available_memory.cpp", "sys/resource.h"},
+    {"io/files/temporary_names.cpp", "unistd.h"},
     {"io/files/checksum.cpp", "zlib.h"},
     {"io/files/regular_file.cpp", "fcntl.h"},
     {"io/files/regular_file.cpp", "sys/stat.h"},

@@ -219,6 +219,26 @@ TEST_CASE("a rendering that was stopped goes on as if it had not been") {
   CHECK(stops > 4);
 }
 
+// Between mirrors that lose nothing a light path ends by no rule of its own.
+TEST_CASE("a light path that never ends is given up when the rendering is stopped") {
+  const Stage s = stage(test::scene_from("integrator path caustics on imageSize 8 8 bands 5\n"
+                                         "eye 0.1 0.2 0.3 lookAt 0 0 -1\n"
+                                         "falloff square light 0.2 0 0 1 1 1\n"
+                                         "ambient 0 0 0 diffuse 0 0 0 fresnel off reflectivity 1\n"
+                                         "sphere\n"),
+                        16);
+  REQUIRE(s.plan.caustics);
+  RenderState state = s.begin();
+  std::atomic<bool> stop = false;
+  const std::jthread stopper([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    stop = true;
+  });
+  CHECK_FALSE(s.render_range({0, 16}, state, {.stop = &stop}));
+  CHECK(state.film.light_passes() == 0.0); // nothing of a chunk that was given up
+  CHECK(state.rays.total() == 0);
+}
+
 TEST_CASE("a rendering in one call is that of all samples") {
   const Stage s = stage(glass("integrator path"), 20);
   const Rendering rendering = render(s.scene, s.plan, s.world, BandPlace{});
