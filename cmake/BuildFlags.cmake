@@ -1,12 +1,19 @@
 # One INTERFACE target carries every compile flag; no global flag is set.
 set(ABBE_SANITIZE "" CACHE STRING "Comma-separated sanitizers, e.g. address,undefined or thread")
+option(ABBE_TRAPS "Invalid operations, divisions by zero and overflows end the tests" OFF)
 
 add_library(abbe_flags INTERFACE)
 target_include_directories(abbe_flags INTERFACE "${PROJECT_SOURCE_DIR}")
 # No contraction into fused multiply-adds: a packet and a single ray must round alike.
 target_compile_options(abbe_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
-  -march=${ABBE_ARCH} -ffp-contract=off -fno-math-errno -fno-trapping-math)
+  -march=${ABBE_ARCH} -ffp-contract=off -fno-math-errno)
+if(ABBE_TRAPS)
+  target_compile_options(abbe_flags INTERFACE -ftrapping-math)
+  target_compile_definitions(abbe_flags INTERFACE ABBE_TRAPS)
+else()
+  target_compile_options(abbe_flags INTERFACE -fno-trapping-math)
+endif()
 if(ABBE_SANITIZE)
   # The first finding ends the program, so that a test fails by it. The standard library checks too.
   target_compile_options(abbe_flags INTERFACE

@@ -30,7 +30,7 @@ Chromaticity daylight_chromaticity(double kelvin) {
 } // namespace
 
 Curve blackbody(double kelvin) {
-  if (!(kelvin > 0.0) || !std::isfinite(kelvin))
+  if (!std::isfinite(kelvin) || kelvin <= 0.0)
     throw std::invalid_argument("a blackbody needs a temperature above 0 K");
   // Second radiation constant h c / k, in nm K [CODATA18].
   constexpr double c2_nm_k = 6.62607015e-34 * 299792458.0 / 1.380649e-23 * 1e9;
@@ -48,7 +48,7 @@ Curve blackbody(double kelvin) {
 }
 
 Curve cie_daylight(double kelvin) {
-  if (!(kelvin >= 4000.0 && kelvin <= 25000.0))
+  if (!std::isfinite(kelvin) || kelvin < 4000.0 || kelvin > 25000.0)
     throw std::invalid_argument("daylight is defined from 4000 to 25000 K");
   const Chromaticity c = daylight_chromaticity(kelvin);
   const double m = 0.0241 + 0.2562 * c.x - 0.7341 * c.y;

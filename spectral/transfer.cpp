@@ -47,7 +47,7 @@ const TransferFunction& linear_transfer() {
 }
 
 TransferFunction power_transfer(double gamma) {
-  if (!(gamma >= kLeastGamma && gamma <= kLargestGamma))
+  if (!std::isfinite(gamma) || gamma < kLeastGamma || gamma > kLargestGamma)
     throw std::invalid_argument("a gamma is a number from 0.1 to 10");
   TransferFunction function;
   std::array<char, 32> text{};
@@ -63,8 +63,8 @@ std::optional<TransferFunction> find_transfer(std::string_view name) {
   if (same_name(name, "rec2020")) return named("rec709"); // the same curve [BT2020]
   double gamma = 0.0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), gamma);
-  if (error != std::errc() || end != name.data() + name.size() || !(gamma >= kLeastGamma) ||
-      gamma > kLargestGamma)
+  if (error != std::errc() || end != name.data() + name.size() || !std::isfinite(gamma) ||
+      gamma < kLeastGamma || gamma > kLargestGamma)
     return std::nullopt;
   return power_transfer(gamma);
 }

@@ -55,6 +55,12 @@ int SampleSchedule::end_of_light_pass(int done, int pass_end) const {
   return in_hurry(done) ? pass_end : std::min(done + kSamplesPerPass, most_);
 }
 
+int SampleSchedule::end_in_time(SampleRange samples, double seconds, double seconds_left) {
+  const double fitting = seconds_left * samples.first / seconds; // not a number counts as endless
+  if (!(fitting < samples.last - samples.first)) return samples.last;
+  return samples.first + std::max(static_cast<int>(fitting), 1);
+}
+
 bool SampleSchedule::may_end(int samples) const {
   const int power = largest_power_of_two(samples);
   return samples >= kFirstLook && (samples == power || samples == power + power / 2);

@@ -28,6 +28,10 @@ public:
   /// For how many samples light paths are followed before a pass that begins after `done` samples
   /// and ends at `pass_end`.
   [[nodiscard]] int end_of_light_pass(int done, int pass_end) const;
+  /// For how many of these samples there is time to follow light paths, which are not given up once
+  /// they are begun: for one at least. The samples before the range took `seconds` for their light
+  /// paths, and so many are left.
+  [[nodiscard]] static int end_in_time(SampleRange samples, double seconds, double seconds_left);
   /// True where tiles may be done: at 64, 96, 128, 192 ... samples. With an earlier first look or
   /// more looks more tiles would end by luck; docs/decisions/noise.md has figures.
   [[nodiscard]] bool may_end(int samples) const;

@@ -15,6 +15,11 @@ namespace {
 
 using Rgb = std::array<float, 3>;
 
+/// Unequal shares must promise at most this part of the error of equal ones. Rounding their numbers
+/// of samples to powers of two alone costs (1/2) / (ln 2)^2 = 1.04, and what they promise is
+/// estimated. Measured: docs/decisions/noise.md.
+constexpr double kWorthwhile = 0.9;
+
 /// What the first round has shown of a pixel.
 struct Evidence {
   Rgb mean;
@@ -73,8 +78,8 @@ private:
   [[nodiscard]] float wanted(int x, int y, std::size_t left_out) const;
   /// The relative variance of one sample, as the pixel itself shows it.
   [[nodiscard]] double own_variance(const Evidence& pixel) const;
-  /// True where samples in proportion to the wanted shares are better than the same number for all,
-  /// for the pixels of the other quarters.
+  /// True where samples in proportion to the wanted shares are clearly better than the same number
+  /// for all, for the pixels of the other quarters.
   [[nodiscard]] bool helps_others(std::size_t quarter, double mean_of_others) const;
 
   [[nodiscard]] std::size_t index(int x, int y) const {
@@ -176,7 +181,7 @@ bool ShareFinder::helps_others(std::size_t quarter_out, double mean_of_others) c
     even_error.at(y, q) += v;
   });
   return work.of_others(quarter_out) * error.of_others(quarter_out) <
-         even_work.of_others(quarter_out) * even_error.of_others(quarter_out);
+         kWorthwhile * even_work.of_others(quarter_out) * even_error.of_others(quarter_out);
 }
 
 void ShareFinder::find(std::size_t quarter_in) {

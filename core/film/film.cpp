@@ -106,6 +106,12 @@ void Film::add_light_passes(double passes) {
   light_passes_ += std::llround(passes * kLightPassParts);
 }
 
+void Film::add_refused(const RefusedValues& more) {
+  refused_.not_finite += more.not_finite;
+  refused_.negative += more.negative;
+  refused_.overflow += more.overflow;
+}
+
 double Film::light_passes() const {
   return static_cast<double>(light_passes_) / kLightPassParts;
 }

@@ -20,6 +20,8 @@ struct FilmSample {
   bool covered; ///< it met a surface
 };
 
+struct FilmRow;
+
 /// The number of a layer of a film.
 enum class LayerId : std::uint8_t {};
 
@@ -101,6 +103,9 @@ public:
   /// 2^-32.
   void add_light_passes(double passes);
 
+  /// Counts values that were refused where the film's sums come from.
+  void add_refused(const RefusedValues& more);
+
   /// Tells that so many pixels' sums were added to or read, so that those in a file do not fill the
   /// memory. Any number of threads may tell.
   void touched(std::size_t pixels) const;
@@ -144,6 +149,7 @@ public:
 
 private:
   friend void merge(Film& film, const Film& other);
+  friend void set_row(Film& film, int y, const FilmRow& row);
   static std::size_t number(LayerId id) { return static_cast<std::size_t>(id); }
   [[nodiscard]] Layer& at(LayerId id) { return layers_[number(id)]; }
   /// Moves the boundary between the pixel's strata, if it is not there already.

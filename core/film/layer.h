@@ -12,6 +12,8 @@
 
 namespace abbe {
 
+struct LayerRow;
+
 /// What a layer holds of each pixel.
 enum class LayerKind : std::uint8_t {
   xyz,   ///< a colour
@@ -93,6 +95,10 @@ public:
     return first_sums_[pixel * values_ + value];
   }
   [[nodiscard]] const IdCounts& ids() const { return ids_; }
+
+  // What the layer holds of a run of pixels, to keep it and to take it back: core/film/film_row.h.
+  void get(std::size_t pixel, std::size_t count, LayerRow& row) const;
+  void set(std::size_t pixel, const LayerRow& row);
 
   /// Tells that the sums of so many pixels were read or written: `FileBackedSums::touched`.
   void touched(std::size_t pixels) const { sums_.touched(pixels * values_); }

@@ -56,9 +56,7 @@ void merge(Film& film, const Film& other) {
     other.touched(width);
   }
   film.light_passes_ += other.light_passes_;
-  film.refused_.not_finite += other.refused_.not_finite;
-  film.refused_.negative += other.refused_.negative;
-  film.refused_.overflow += other.refused_.overflow;
+  film.add_refused(other.refused_);
 }
 
 } // namespace abbe

@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace abbe {
@@ -40,6 +42,12 @@ Matrix3 matrix_to(SceneLinearSpace space) {
   return multiply(inverse(rgb_to_xyz_matrix(target.primaries, target.white)), adaptation);
 }
 
+/// A value as pictures have it. What is beyond single precision becomes the largest number there.
+float as_float(double value) {
+  constexpr double kMost = std::numeric_limits<float>::max();
+  return static_cast<float>(std::clamp(value, -kMost, kMost));
+}
+
 std::vector<float> linear_rgba(const Film& film, const PixelWindow& part, SceneLinearSpace space) {
   const Matrix3 to_rgb = matrix_to(space);
   std::vector<float> rgba;
@@ -49,7 +57,7 @@ std::vector<float> linear_rgba(const Film& film, const PixelWindow& part, SceneL
     const Xyz xyz = film.samples(x, y) > 0 ? film.color(x, y) : Xyz{0.0, 0.0, 0.0};
     const Vector3 c = multiply(to_rgb, Vector3{xyz.x, xyz.y, xyz.z});
     for (const double v : {c[0], c[1], c[2], film.alpha(x, y)})
-      rgba.push_back(static_cast<float>(v));
+      rgba.push_back(as_float(v));
   });
   return rgba;
 }
@@ -65,7 +73,7 @@ std::vector<ImageChannel> transmittance_channels(const Film& film, LayerId layer
     const Vector3 c = multiply(to_rgb, Vector3{film.mean(layer, x, y, 0), film.mean(layer, x, y, 1),
                                                film.mean(layer, x, y, 2)});
     for (std::size_t i = 0; i < channels.size(); ++i)
-      channels[i].values.push_back(static_cast<float>(c[i]));
+      channels[i].values.push_back(as_float(c[i]));
   });
   return channels;
 }
@@ -84,7 +92,7 @@ SceneLinearImage develop_scene_linear(const Film& film, const Plan& plan, SceneL
   for_each_pixel(film.window(), [&](int x, int y) {
     samples.values.push_back(static_cast<float>(film.samples(x, y)));
     const double e = film.error(x, y).y; // infinite where it is unknown
-    error.values.push_back(std::isfinite(e) ? static_cast<float>(e) : 0.0f);
+    error.values.push_back(std::isfinite(e) ? as_float(e) : 0.0f);
   });
   image.channels.push_back(std::move(samples));
   image.channels.push_back(std::move(error));
@@ -101,7 +109,7 @@ DisplayImage develop_display(const Film& film, const Plan& plan, const DisplaySe
     const LinearRgb c = transform.unclipped(film.color(x, y));
     const DisplayRgb e = transform.encoded(transform.linear(film.color(x, y)));
     for (const double v : {c.r, c.g, c.b})
-      image.linear.push_back(static_cast<float>(v));
+      image.linear.push_back(as_float(v));
     for (const double v : {e.r, e.g, e.b})
       image.encoded.push_back(static_cast<float>(v));
   });
@@ -119,8 +127,7 @@ SpectralImage develop_spectral(const Film& film, const Plan& plan, const PixelWi
   std::size_t pixel = 0; // outside, as the film's bands of a pixel lie side by side
   for_each_pixel(part, [&](int x, int y) {
     for (int b = 0; b < film.bands(); ++b)
-      image.values[static_cast<std::size_t>(b) * pixels + pixel] =
-          static_cast<float>(film.radiance(x, y, b));
+      image.values[static_cast<std::size_t>(b) * pixels + pixel] = as_float(film.radiance(x, y, b));
     ++pixel;
   });
   film.touched(pixels);

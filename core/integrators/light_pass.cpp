@@ -12,13 +12,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 namespace abbe {
 namespace {
 
-/// The paths of a chunk; their photons are kept in the order of their numbers.
-constexpr std::uint32_t kChunk = 2048;
+/// The paths of a chunk; their photons are kept in the order of their numbers. Splats of a chunk
+/// are held back until its end, so it must be small.
+constexpr std::uint32_t kChunk = 256;
 
 /// Light paths that fill the photon map of one pass; what more there are add splats only.
 constexpr std::uint32_t kMostMapped = 1u << 15;
@@ -27,12 +29,40 @@ constexpr std::uint32_t kMostMapped = 1u << 15;
 constexpr double kLargestPart = 1.0 / 64.0;
 
 /// The part of the current pass whose splats are in the film: whole multiples of 2^-32, as the film
-/// counts, so that what is added from run to run is 1 in the end.
+/// counts, so that what is added from run to run, and by part after part, is 1 in the end.
 double part_in_film(const LightPassState& state) {
-  const auto chunks = static_cast<double>(state.is_in_film.size());
-  const auto in_film = static_cast<double>(
-      std::count(state.is_in_film.begin(), state.is_in_film.end(), std::uint8_t{1}));
-  return std::round(0x1p32 * in_film / chunks) * 0x1p-32;
+  const auto is = [](ChunkSplats which) { return [which](ChunkSplats c) { return c == which; }; };
+  const auto before = std::ranges::find_if_not(state.chunks, is(ChunkSplats::elsewhere));
+  const auto chunks = static_cast<double>(state.chunks.size());
+  const auto in_films =
+      static_cast<double>(std::distance(state.chunks.begin(), before) +
+                          std::ranges::count_if(state.chunks, is(ChunkSplats::added)));
+  return std::round(0x1p32 * in_films / chunks) * 0x1p-32;
+}
+
+/// Leaves the splats of all chunks but its own to the other parts. Each part whose camera samples
+/// need the pass has a run of chunks, after those of the parts before it.
+void leave_to_others(LightPassState& state, int samples_per_pixel) {
+  const int first = part_of_sample(state.samples.first, state.part.count, samples_per_pixel);
+  const int last = part_of_sample(state.samples.last - 1, state.part.count, samples_per_pixel);
+  const auto border = [&](int number) {
+    const int place = std::clamp(number - first, 0, last - first + 1);
+    return state.chunks.size() * static_cast<std::size_t>(place) /
+           static_cast<std::size_t>(last - first + 1);
+  };
+  const std::size_t begin = border(state.part.number), end = border(state.part.number + 1);
+  for (std::size_t c = 0; c < state.chunks.size(); ++c)
+    if (c < begin || c >= end) state.chunks[c] = ChunkSplats::elsewhere;
+}
+
+/// By how much the numbers of chunks differ that come after each other: by a part of all that is
+/// near the golden ratio, and such that each chunk has its turn. So a run that ends early has
+/// followed about the same part of each light's chunks, however many lights there are.
+std::size_t step_of_turns(std::size_t chunks) {
+  std::size_t step = std::max<std::size_t>(1, chunks * 618 / 1000);
+  while (std::gcd(step, chunks) > 1)
+    ++step;
+  return step;
 }
 
 } // namespace
@@ -64,13 +94,26 @@ void LightPasses::begin(LightPassState& state, SampleRange samples) const {
       state.begun[e] += ended.shares[e];
   } else {
     state.first_radius = plan_.settings.photon_radius;
+    state.first_samples = samples;
   }
   ++state.passes;
   state.samples = samples;
-  state.is_in_film.assign(paths_of(samples).chunks.size(), 0);
+  state.chunks.assign(paths_of(samples).chunks.size(), ChunkSplats::missing);
+  if (!state.part.is_whole()) leave_to_others(state, plan_.settings.samples_per_pixel);
 }
 
-void LightPasses::follow(LightPaths& walker, const Chunk& chunk, const Paths& paths,
+bool LightPasses::find_first_radius(LightPassState& state, const IsOver& is_over) const {
+  LightPassState first;
+  begin(first, state.first_samples);
+  std::ranges::fill(first.chunks, ChunkSplats::elsewhere);
+  Film nowhere({}, {});
+  const Followed followed =
+      follow_chunks(paths_of(first.samples), first, nowhere, is_over, nullptr);
+  if (followed.all) state.first_radius = first_photon_radius(followed.batches, largest_radius_);
+  return followed.all;
+}
+
+bool LightPasses::follow(LightPaths& walker, const Chunk& chunk, const Paths& paths,
                          std::uint32_t begun, const Found& found) const {
   const std::size_t light = chunk.light;
   for (std::uint32_t i = chunk.first; i < chunk.last; ++i) {
@@ -78,15 +121,17 @@ void LightPasses::follow(LightPaths& walker, const Chunk& chunk, const Paths& pa
     const auto ray = emission_.lights()[light].sample(sampler);
     if (!ray) continue;
     const bool keeps = i < paths.mapped[light];
-    walker.trace(*ray, sampler, 1.0 / paths.shares[light], keeps ? &found.photons : nullptr,
-                 1.0 / std::min(paths.mapped[light], paths.shares[light]), found.counts);
+    if (!walker.trace(*ray, sampler, 1.0 / paths.shares[light], keeps ? &found.photons : nullptr,
+                      1.0 / std::min(paths.mapped[light], paths.shares[light]), found.counts))
+      return false;
   }
+  return true;
 }
 
 LightPasses::Followed LightPasses::follow_chunks(const Paths& paths, LightPassState& state,
-                                                 Film& film, const std::atomic<bool>& stop,
+                                                 Film& film, const IsOver& is_over,
                                                  RayRecord* record) const {
-  const std::size_t count = paths.chunks.size();
+  const std::size_t count = paths.chunks.size(), step = step_of_turns(count);
   Film nowhere({}, {}); // it has no pixels, so that splats fall beside it
   Followed result{std::vector<PhotonBatch>(count), {}, false};
   std::vector<RayCounts> counts(count);
@@ -94,16 +139,26 @@ LightPasses::Followed LightPasses::follow_chunks(const Paths& paths, LightPassSt
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [&](const auto& range) {
     const DenormalsOff denormals_off;
     std::optional<LightPaths> with_splats, without; // made once they are needed
-    for (std::size_t c = range.begin(); c < range.end() && !stop; ++c) {
-      const bool known = state.is_in_film[c] != 0;
+    for (std::size_t turn = range.begin(); turn < range.end() && !is_over(); ++turn) {
+      const std::size_t c = turn * step % count;
+      const bool known = state.chunks[c] != ChunkSplats::missing;
       Chunk chunk = paths.chunks[c];
       if (known) chunk.last = std::min(chunk.last, paths.mapped[chunk.light]);
       counts[c].record = record;
       std::optional<LightPaths>& walker = known ? without : with_splats;
       if (!walker) walker.emplace(plan_, world_, emission_, camera_, known ? nowhere : film);
-      follow(*walker, chunk, paths, state.begun[chunk.light], {result.batches[c], counts[c]});
-      if (known) counts[c] = {};
-      state.is_in_film[c] = 1;
+      walker->end_with(is_over);
+      const Found found{result.batches[c], counts[c]};
+      if (!follow(*walker, chunk, paths, state.begun[chunk.light], found)) {
+        walker->drop_splats();
+        counts[c] = {};
+        break;
+      }
+      walker->add_splats();
+      if (known)
+        counts[c] = {};
+      else
+        state.chunks[c] = ChunkSplats::added;
       ++followed;
     }
   });
@@ -113,12 +168,14 @@ LightPasses::Followed LightPasses::follow_chunks(const Paths& paths, LightPassSt
   return result;
 }
 
-RayCounts LightPasses::run(LightPassState& state, Film& film, const std::atomic<bool>& stop,
+RayCounts LightPasses::run(LightPassState& state, Film& film, const IsOver& is_over,
                            RayRecord* record) {
   if (mapped_pass_ == state.passes) return {};
   const auto begin = std::chrono::steady_clock::now();
+  if (state.passes > 1 && !(state.first_radius > 0.0) && !find_first_radius(state, is_over))
+    return {};
   const double before = part_in_film(state);
-  Followed followed = follow_chunks(paths_of(state.samples), state, film, stop, record);
+  Followed followed = follow_chunks(paths_of(state.samples), state, film, is_over, record);
   film.add_light_passes(part_in_film(state) - before);
   if (followed.all) {
     if (!(state.first_radius > 0.0))

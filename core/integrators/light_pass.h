@@ -1,13 +1,14 @@
 #pragma once
 
+#include "core/adaptive/render_part.h"
 #include "core/adaptive/sample_schedule.h"
 #include "core/bundles/statistics.h"
 #include "core/cameras/placed_camera.h"
 #include "core/film/film.h"
+#include "core/integrators/integrator.h"
 #include "core/integrators/photon_map.h"
 #include "core/lights/emission.h"
 
-#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -15,15 +16,23 @@ namespace abbe {
 
 class LightPaths;
 
+/// Where the splats of a chunk of light paths are.
+enum class ChunkSplats : std::uint8_t {
+  missing,   ///< nowhere yet
+  added,     ///< in the film
+  elsewhere, ///< another part of the rendering adds them to its own film
+};
+
 /// How far the light passes of a rendering have come. With the film it is all that is needed to go
 /// on: the same paths fill the photon map anew.
 struct LightPassState {
   int passes = 0;                   ///< that have begun
   SampleRange samples;              ///< camera samples that the current pass is for
+  SampleRange first_samples;        ///< those that the first pass was for
   std::vector<std::uint32_t> begun; ///< by light: paths of the passes before the current one
-  std::vector<std::uint8_t>
-      is_in_film;            ///< by chunk of the current pass: its splats are in the film
-  double first_radius = 0.0; ///< of the photon map in the first pass; 0: not known yet
+  std::vector<ChunkSplats> chunks;  ///< by chunk of the current pass
+  double first_radius = 0.0;        ///< of the photon map in the first pass; 0: not known yet
+  RenderPart part = {}; ///< light paths that only splat are divided as camera samples are
 };
 
 /// Light-side passes of a rendering: before each pass of camera samples as many light paths are
@@ -45,12 +54,15 @@ public:
   void begin(LightPassState& state, SampleRange samples) const;
   /// Runs the current pass within the current task arena, unless the map holds its photons already.
   /// Splats that the film has already, because an earlier run was stopped or its map is gone, are
-  /// not added again, and the rays that led to them not counted again. Setting `stop` ends the run
-  /// soon; then the map does not hold the pass.
-  RayCounts run(LightPassState& state, Film& film, const std::atomic<bool>& stop,
-                RayRecord* record);
+  /// not added again, and the rays that led to them not counted again. Where `is_over` says so, the
+  /// run ends soon, also within a path; then the map does not hold the pass.
+  RayCounts run(LightPassState& state, Film& film, const IsOver& is_over, RayRecord* record);
 
 private:
+  /// Finds the radius of the first pass's photon map for a part of the rendering that begins after
+  /// that pass. False when it was stopped.
+  bool find_first_radius(LightPassState& state, const IsOver& is_over) const;
+
   /// A run of one light's paths, which one task follows.
   struct Chunk {
     std::size_t light;
@@ -68,8 +80,9 @@ private:
     PhotonBatch& photons;
     RayCounts& counts;
   };
-  /// Follows a chunk's paths. `begun` of the light's paths belong to earlier passes.
-  void follow(LightPaths& walker, const Chunk& chunk, const Paths& paths, std::uint32_t begun,
+  /// Follows a chunk's paths. `begun` of the light's paths belong to earlier passes. False where
+  /// they were given up.
+  bool follow(LightPaths& walker, const Chunk& chunk, const Paths& paths, std::uint32_t begun,
               const Found& found) const;
   /// What all chunks have found, in their order.
   struct Followed {
@@ -78,7 +91,7 @@ private:
     bool all; ///< none was left out by a stop
   };
   [[nodiscard]] Followed follow_chunks(const Paths& paths, LightPassState& state, Film& film,
-                                       const std::atomic<bool>& stop, RayRecord* record) const;
+                                       const IsOver& is_over, RayRecord* record) const;
 
   const Plan& plan_;
   const World& world_;

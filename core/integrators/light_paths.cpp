@@ -44,7 +44,7 @@ LightPaths::LightPaths(const Plan& plan, const World& world, const Emission& emi
       to_camera_(plan, world), sums_(plan), light_(plan.stride),
       limit_(depth_limit(plan.settings)) {}
 
-void LightPaths::trace(const EmittedRay& ray, const Sampler& sampler, double share,
+bool LightPaths::trace(const EmittedRay& ray, const Sampler& sampler, double share,
                        PhotonBatch* photons, double photon_share, RayCounts& counts) {
   begin(sampler, counts);
   source_ = ray.source;
@@ -55,12 +55,36 @@ void LightPaths::trace(const EmittedRay& ray, const Sampler& sampler, double sha
   // One number decides for all of its branches.
   goes_beyond_ = limit_ < std::numeric_limits<int>::max() &&
                  sampler.decisions(1).next() * BeyondLimit::kOneIn < 1.0;
-  if (!start(ray)) return;
+  if (!start(ray)) return true;
   wait();
   while (take()) {
+    if (gives_up()) {
+      give_up();
+      return false;
+    }
     extend();
     shade();
   }
+  return true;
+}
+
+void LightPaths::add_splats() {
+  const std::size_t bands = static_cast<std::size_t>(film_.bands());
+  const float* radiance = held_radiance_.data();
+  for (const HeldSplat& s : held_) {
+    if (s.lost) {
+      film_.splat(*lost_splats_, s.x, s.y, s.color, s.rounding);
+      continue;
+    }
+    film_.add_splat(s.x, s.y, s.color, {radiance, bands}, s.rounding);
+    radiance += bands;
+  }
+  drop_splats();
+}
+
+void LightPaths::drop_splats() {
+  held_.clear();
+  held_radiance_.clear();
 }
 
 bool LightPaths::start(const EmittedRay& ray) {
@@ -177,16 +201,21 @@ void LightPaths::splat(const Hit& hit) {
       stands_for * flux_ * share_ * column.weight * row.weight / seen->inverse_importance;
   sums_.clear();
   sums_.add(source_, light, ones_, static_cast<float>(weight));
+  hold_back(column.pixel, row.pixel);
+}
+
+void LightPaths::hold_back(int x, int y) {
+  const double rounding = numbers(kSplatRounding).x;
   if (beyond_limit()) {
     if (lost_splats_)
-      film_.splat(*lost_splats_, column.pixel, row.pixel,
-                  lost_light(sums_.color().y, plan_.quantum), numbers(kSplatRounding).x);
+      held_.push_back({x, y, lost_light(sums_.color().y, plan_.quantum), rounding, true});
     return;
   }
   ++counts_->splats;
-  film_.add_splat(column.pixel, row.pixel, sums_.color(),
-                  film_.bands() > 0 ? sums_.radiance() : std::span<const float>(),
-                  numbers(kSplatRounding).x);
+  held_.push_back({x, y, sums_.color(), rounding, false});
+  if (film_.bands() == 0) return;
+  const std::span<const float> radiance = sums_.radiance();
+  held_radiance_.insert(held_radiance_.end(), radiance.begin(), radiance.end());
 }
 
 void LightPaths::keep(const Hit& hit) {

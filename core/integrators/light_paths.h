@@ -3,6 +3,7 @@
 #include "core/cameras/placed_camera.h"
 #include "core/film/film.h"
 #include "core/film/radiance_sums.h"
+#include "core/integrators/integrator.h"
 #include "core/integrators/photon_map.h"
 #include "core/integrators/random_walk.h"
 #include "core/integrators/shadow.h"
@@ -14,18 +15,37 @@ namespace abbe {
 /// light other than specularly. There they are connected to the camera (a splat), and kept for the
 /// photon map; from there they may go by mirrors and glass once more, to a surface that the camera
 /// sees. One object serves one thread.
+///
+/// The splats of a chunk of paths are held back until the whole chunk has been followed, so that a
+/// chunk that is given up leaves nothing in the film and can be followed anew.
 class LightPaths : private RandomWalk {
 public:
   /// Keeps references. `camera` is null where what the camera sees cannot be connected to.
   LightPaths(const Plan& plan, const World& world, const Emission& emission,
              const PlacedCamera* camera, Film& film);
+  /// Long paths ask this now and then. Keeps a reference.
+  void end_with(const IsOver& is_over) { is_over_ = &is_over; }
 
-  /// Follows one path. `share` is what one path stands for: 1 over their number. Photons are added
-  /// to `photons` unless it is null; `photon_share` is the same for those.
-  void trace(const EmittedRay& ray, const Sampler& sampler, double share, PhotonBatch* photons,
+  /// Follows one path, and returns false where it was given up. `share` is what one path stands
+  /// for: 1 over their number. Photons are added to `photons` unless it is null; `photon_share` is
+  /// the same for those.
+  bool trace(const EmittedRay& ray, const Sampler& sampler, double share, PhotonBatch* photons,
              double photon_share, RayCounts& counts);
 
+  /// Adds the splats that are held back to the film.
+  void add_splats();
+  /// Forgets the splats that are held back.
+  void drop_splats();
+
 private:
+  /// A splat that is not in the film yet.
+  struct HeldSplat {
+    int x, y;
+    Xyz color;
+    double rounding; ///< the random number that rounds it
+    bool lost;       ///< it lies beyond the depth limit, which takes it from the picture
+  };
+
   /// Starts the bundle of a path. False where its light is dark in all bands.
   bool start(const EmittedRay& ray);
   /// Takes the traced bundle to what its ray has met, less what the medium absorbs. False where
@@ -35,8 +55,13 @@ private:
   void shade();
   [[nodiscard]] bool beyond_limit() const { return bundle().depth >= limit_; }
   void splat(const Hit& hit);
+  /// Holds back a splat of what the sums hold.
+  void hold_back(int x, int y);
   void keep(const Hit& hit);
   void branch_off_to_specular(const Hit& hit);
+
+  /// To be asked for each ray.
+  [[nodiscard]] bool gives_up() { return (++rays_ & 0xffu) == 0 && is_over_ && (*is_over_)(); }
 
   const Emission& emission_;
   const PlacedCamera* camera_;
@@ -50,6 +75,10 @@ private:
   PhotonBatch* photons_ = nullptr;
   int limit_;                ///< of depth
   bool goes_beyond_ = false; ///< whether the path goes on where the depth limit ends it
+  const IsOver* is_over_ = nullptr;
+  std::uint32_t rays_ = 0;
+  std::vector<HeldSplat> held_;
+  std::vector<float> held_radiance_; ///< of the splats that are not lost, where the film has bands
 };
 
 } // namespace abbe

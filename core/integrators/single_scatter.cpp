@@ -84,7 +84,7 @@ void SingleScatter::add(const Bundle& bundle, double length, const MediumPlan& m
                                 : shadow_rays_.transmittance(towards_light, light.distance, bands,
                                                              *wavelengths_, *counts_);
     if (!arriving) continue;
-    const auto& phase = light.disc ? drops.under_sun : drops.under_lamp;
+    const auto& phase = light.disc ? drops.under_sun : drops.near_light;
     const auto part = phase->at(glm::dot(light.direction, bundle.state.ray.direction));
     for (int b = bands.first; b < bands.last; ++b)
       lit[b] = seen[b] * arriving[b] * part[b];

@@ -19,9 +19,9 @@ double walsh_reflectance(double n) {
 
 double diffuse_transmittance(double eta) {
   if (eta < 1.0) return eta * eta * diffuse_transmittance(1.0 / eta);
-  // Rounding in the closed form grows as 2^-53 / (eta - 1)^2, while the reflectance is about
-  // (eta - 1) / 3. Here both are below 1e-5, and 1 is as exact.
-  if (eta < 1.0 + 1e-5) return 1.0;
+  // Rounding in the closed form grows as 2^-53 / (eta - 1)^2, while the reflectance is (eta - 1) /
+  // 3 but for 4 (eta - 1)^2. Here both errors are below 1e-7.
+  if (eta < 1.0 + 5e-5) return 1.0 - (eta - 1.0) / 3.0;
   return 1.0 - walsh_reflectance(eta);
 }
 

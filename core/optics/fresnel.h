@@ -11,13 +11,20 @@ namespace abbe {
 
 using glm::dvec3;
 
-/// The cosine of the angle of refraction, from Snell's law n_i sin i = n_t sin t. `eta` is n_t /
-/// n_i. Empty under total internal reflection, (sin i / eta)^2 > 1. (The thesis prints the test
-/// with 1 - N.dir, squared, in place of the squared cosine; that is a misprint.)
+/// The square of eta cos t, from Snell's law sin i = eta sin t, where `eta` is n_t / n_i: eta^2 -
+/// sin^2 i, summed so that nothing cancels where media of nearly equal indices meet at a grazing
+/// angle. It is positive where light is refracted, and not under total internal reflection. (The
+/// thesis prints the test with 1 - N.dir, squared, in place of the squared cosine; that is a
+/// misprint.)
+[[nodiscard]] inline double refracted_part2(double cos_i, double eta) {
+  return cos_i * cos_i + (eta - 1.0) * (eta + 1.0);
+}
+
+/// The cosine of the angle of refraction. Empty under total internal reflection.
 [[nodiscard]] inline std::optional<double> refracted_cosine(double cos_i, double eta) {
-  const double sin2_t = (1.0 - cos_i * cos_i) / (eta * eta);
-  if (sin2_t >= 1.0) return std::nullopt;
-  return std::sqrt(1.0 - sin2_t);
+  const double part2 = refracted_part2(cos_i, eta);
+  if (!(part2 > 0.0)) return std::nullopt;
+  return std::min(1.0, std::sqrt(part2) / eta);
 }
 
 /// Fresnel's reflectance of unpolarised light, the mean of its two polarisations [BW99, 1.5.2]:
@@ -44,11 +51,14 @@ struct Fractions {
 /// loops over bands can be vectorised.
 [[gnu::always_inline]] [[nodiscard]] inline Fractions
 dielectric_fractions(bool fresnel, double cos_i, double n_before, double n_after) {
-  const double eta = n_after / n_before, inverse = n_before / n_after;
-  const double cos2_t = 1.0 - (1.0 - cos_i * cos_i) * (inverse * inverse);
-  const bool passes = cos2_t > 0.0;
-  const double cos_t = std::sqrt(std::max(cos2_t, 0.0));
-  const double reflectance = passes ? fresnel_reflectance(cos_i, cos_t, eta) : 1.0;
+  const double eta = n_after / n_before;
+  const double part2 = refracted_part2(cos_i, eta);
+  const bool passes = part2 > 0.0;
+  const double part = std::sqrt(std::max(part2, 0.0)); // eta cos t
+  const double s = (cos_i - part) / (cos_i + part);
+  const double across = eta * eta * cos_i;
+  const double p = (across - part) / (across + part);
+  const double reflectance = passes ? 0.5 * (s * s + p * p) : 1.0;
   return {fresnel ? reflectance : 1.0, fresnel ? 1.0 - reflectance : (passes ? 1.0 : 0.0)};
 }
 

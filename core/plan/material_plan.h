@@ -31,7 +31,7 @@ struct MaterialPlan {
   std::optional<MixturePlan> mixture; ///< in place of all else; see part_of
 
   [[nodiscard]] BsdfFacts facts() const { return mixture ? mixture->facts : facts_of(bsdf); }
-  /// True when lamps light it: it has a diffuse part or a highlight.
+  /// True when lights reach it: it has a diffuse part or a highlight.
   [[nodiscard]] bool lit() const {
     return mixture ? mixture->lit : !diffuse.zero() || phong.present() || texture >= 0;
   }

@@ -25,11 +25,11 @@ struct SourcePlan {
   BandTable factor;
 };
 
-/// Drops at the bands. A phase function is there where the scene has such lamps.
+/// Drops at the bands. A phase function is there where the scene has such lights.
 struct DropsPlan {
   double extinction_per_unit = 0.0;            ///< per scene unit of length
   std::optional<DropPhaseFunction> under_sun;  ///< for parallel light
-  std::optional<DropPhaseFunction> under_lamp; ///< for lamps at a place
+  std::optional<DropPhaseFunction> near_light; ///< for lights at a place
 };
 
 /// A medium at the bands.
@@ -70,11 +70,11 @@ struct Plan {
   int first_band = 0, last_band = 0; ///< only these bands can carry light to an observer
   int live_first = 0, live_last = 0; ///< the same, whether or not skipping is on
   std::vector<float> live;           ///< per band 1 where it can carry light, else 0; padded
-  int live_count = 0;                ///< of these; fewer than the range has where lamps are lines
+  int live_count = 0;                ///< of these; fewer than the range has where lights are lines
   BandShares shares;                 ///< of a path that can follow a few of them alone
 
   std::vector<std::vector<SpectralLine>> lines; ///< by band; see lines_of_bands
-  std::vector<SourcePlan> sources; ///< background, ambient light, the lamps, emitting materials
+  std::vector<SourcePlan> sources; ///< background, ambient light, the lights, emitting materials
   std::vector<AccumulatorPlan> accumulators;
   std::optional<EnvironmentMap> environment;
   int environment_source = -1;         ///< index into sources, of its light

@@ -22,7 +22,7 @@
 namespace abbe {
 namespace {
 
-/// Which lamps light paths begin at, if any.
+/// Which lights light paths begin at, if any.
 void plan_caustics(const Scene& scene, Plan& plan) {
   const RenderSettings& settings = plan.settings;
   if (settings.integrator != Integrator::path || settings.caustics == Caustics::off) return;
@@ -48,10 +48,10 @@ void plan_caustics(const Scene& scene, Plan& plan) {
   if (plan.caustics && plan.settings.shadows == ShadowRule::attenuated)
     plan.settings.shadows = ShadowRule::opaque;
   plan.notes.push_back(emitting > 0
-                           ? fmt::format("light-side passes: {} of the lamps shine on things that "
+                           ? fmt::format("light-side passes: {} of the lights shine on things that "
                                          "mirror or refract",
                                          emitting)
-                           : "no lamp shines on anything that mirrors or refracts: no light-side "
+                           : "no light shines on anything that mirrors or refracts: no light-side "
                              "passes");
 }
 

@@ -47,7 +47,7 @@ DropsPlan plan_drops(const Scene& scene, const Plan& plan, const Drops& drops) {
                   [](const MaterialPlan& material) { return material.emission_source >= 0; });
   if (glowing || plan.environment ||
       !std::all_of(scene.lights.begin(), scene.lights.end(), parallel))
-    result.under_lamp.emplace(drops.index, nm, 0.0);
+    result.near_light.emplace(drops.index, nm, 0.0);
   return result;
 }
 

@@ -4,7 +4,7 @@
 
 namespace abbe {
 
-/// The drops of a medium at the plan's bands, with a phase function for each kind of lamp that the
+/// The drops of a medium at the plan's bands, with a phase function for each kind of light that the
 /// scene has.
 [[nodiscard]] DropsPlan plan_drops(const Scene& scene, const Plan& plan, const Drops& drops);
 

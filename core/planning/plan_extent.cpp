@@ -28,17 +28,30 @@ void check_reach(double reach, const std::string& what) {
         what, reach, kFarthestCoordinate));
 }
 
+/// What counts of a spectrum when the quantum is chosen: a line at the eye's limits has little Y.
+double brightness(const Curve& spectrum, const BandGrid& grid, Observer observer) {
+  const auto means = band_means(grid, spectrum);
+  return std::max(to_xyz(spectrum, observer).y, *std::max_element(means.begin(), means.end()));
+}
+
+/// The same of all lights.
+std::vector<double> light_brightness(const Scene& scene, const BandGrid& grid, Observer observer) {
+  const double nearest = scene_size(scene) / 16.0;
+  std::vector<double> all;
+  for (const Light& light : scene.lights)
+    all.push_back(brightest(light, brightness(light.spectrum, grid, observer), nearest));
+  return all;
+}
+
 } // namespace
 
 double film_quantum(const Scene& scene, const BandGrid& grid, Observer observer) {
-  const auto brightness = [&](const Curve& spectrum) { // a line at the eye's limits has little Y
-    const auto means = band_means(grid, spectrum);
-    return std::max(to_xyz(spectrum, observer).y, *std::max_element(means.begin(), means.end()));
+  const auto brightness = [&](const Curve& spectrum) {
+    return abbe::brightness(spectrum, grid, observer);
   };
   double brightest = std::max(brightness(scene.background), brightness(scene.global_ambient));
-  const double nearest = scene_size(scene) / 16.0;
-  for (const Light& light : scene.lights)
-    brightest = std::max(brightest, abbe::brightest(light, brightness(light.spectrum), nearest));
+  for (const double light : light_brightness(scene, grid, observer))
+    brightest = std::max(brightest, light);
   if (scene.environment) {
     const Environment& e = *scene.environment;
     const double most =
@@ -48,6 +61,16 @@ double film_quantum(const Scene& scene, const BandGrid& grid, Observer observer)
   for (const Material& material : scene.materials)
     brightest = std::max(brightest, brightness(material.emission));
   return brightest > 0.0 ? std::ldexp(1.0, std::ilogb(brightest) - 36) : 1.0;
+}
+
+std::vector<std::size_t> lights_below_quantum(const Scene& scene, const BandGrid& grid,
+                                              Observer observer) {
+  const double least = 0.5 * film_quantum(scene, grid, observer);
+  const std::vector<double> lights = light_brightness(scene, grid, observer);
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    if (lights[i] > 0.0 && lights[i] < least) numbers.push_back(i + 1);
+  return numbers;
 }
 
 void check_extent(const Scene& scene) {

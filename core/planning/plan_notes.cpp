@@ -2,6 +2,7 @@
 
 #include "core/emitters/sampled_surface.h"
 #include "core/planning/plan_drops.h"
+#include "core/planning/plan_extent.h"
 #include "spectral/fraunhofer.h"
 
 #include <fmt/format.h>
@@ -26,6 +27,13 @@ void note_lamps_met_by_chance(const Scene& scene, Plan& plan) {
                     count, count == 1 ? "shining shape is met" : "shining shapes are met"));
 }
 
+void note_faint_lights(const Scene& scene, Plan& plan) {
+  for (const std::size_t number : lights_below_quantum(scene, plan.grid, plan.settings.observer))
+    plan.notes.push_back(fmt::format(
+        "light number {} is fainter than 2^-37 of the brightest: the picture does not show it",
+        number));
+}
+
 } // namespace
 
 void note_content(const Scene& scene, Plan& plan) {
@@ -38,7 +46,7 @@ void note_content(const Scene& scene, Plan& plan) {
   plan.notes.insert(plan.notes.begin(),
                     fmt::format("{}, {}, {} ({} dispersive)",
                                 count(scene.shapes.size(), "shape", "shapes"),
-                                count(scene.lights.size(), "lamp", "lamps"),
+                                count(scene.lights.size(), "light", "lights"),
                                 count(scene.media.size(), "medium", "media"), glasses));
   const RenderSettings& settings = plan.settings;
   plan.notes.insert(
@@ -59,6 +67,7 @@ void note_content(const Scene& scene, Plan& plan) {
                                      scene.environment->width, scene.environment->height,
                                      plan.environment ? "" : ", all black"));
   note_lamps_met_by_chance(scene, plan);
+  note_faint_lights(scene, plan);
   for (const Medium& medium : scene.media)
     if (!is_achromatic(medium.index))
       plan.notes.push_back(

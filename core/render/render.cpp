@@ -58,7 +58,11 @@ public:
   bool run();
 
 private:
-  [[nodiscard]] bool stopped() const { return control_.stop && *control_.stop; }
+  [[nodiscard]] bool stopped() const {
+    return (control_.stop && *control_.stop) || (pause_ < kInfinity && meter_.seconds() >= pause_);
+  }
+  /// How long the rendering has taken, with earlier ranges.
+  [[nodiscard]] double seconds() const { return state_.seconds + meter_.seconds(); }
   /// True when nothing is to be rendered any more, be the range done or not.
   [[nodiscard]] bool over() const;
   /// True where samples or errors of a pass decide on what comes after it, so that passes must not
@@ -86,6 +90,7 @@ private:
   tbb::global_control workers_;
   tbb::task_arena arena_;
   std::vector<OpenTile> open_;
+  double pause_ = kInfinity; ///< when the rendering is to be stopped, in the seconds of the meter
 };
 
 RangeRenderer::RangeRenderer(RenderContext& context, SampleRange range, RenderState& state,
@@ -109,6 +114,8 @@ bool RangeRenderer::run() {
     if (state_.done == state_.round_end) begin_round();
     const int last = end_of_pass();
     light_pass(last);
+    if (control_.pause_after > 0.0)
+      pause_ = std::min(pause_, meter_.seconds() + control_.pause_after);
     whole = render_pass(last);
     std::erase_if(open_, [](const OpenTile& tile) { return tile.state->ended; });
     if (whole) state_.done = last;
@@ -123,8 +130,7 @@ bool RangeRenderer::run() {
 bool RangeRenderer::over() const {
   if (stopped()) return true;
   // The first pass is finished, however short the time.
-  return settings_.seconds > 0.0 && state_.done > 0 &&
-         state_.seconds + meter_.seconds() >= settings_.seconds;
+  return settings_.seconds > 0.0 && state_.done > 0 && seconds() >= settings_.seconds;
 }
 
 bool RangeRenderer::decides() const {
@@ -154,13 +160,17 @@ void RangeRenderer::light_pass(int last) {
   LightPasses& passes = context_.light_passes;
   if (!passes.needed()) return;
   const int done = state_.done;
-  if (done >= state_.light.samples.last)
-    passes.begin(state_.light, {done, schedule_.end_of_light_pass(done, last)});
-  static const std::atomic<bool> never = false;
-  arena_.execute([&] {
-    meter_.add(passes.run(state_.light, state_.film, control_.stop ? *control_.stop : never,
-                          control_.record));
-  });
+  if (done >= state_.light.samples.last) {
+    if (over()) return;
+    SampleRange samples{done, schedule_.end_of_light_pass(done, last)};
+    if (settings_.seconds > 0.0 && done > 0)
+      samples.last = SampleSchedule::end_in_time(samples, state_.light_seconds + passes.seconds(),
+                                                 settings_.seconds - seconds());
+    passes.begin(state_.light, samples);
+  }
+  const IsOver is_over = [this] { return over(); };
+  arena_.execute(
+      [&] { meter_.add(passes.run(state_.light, state_.film, is_over, control_.record)); });
 }
 
 PassSamples RangeRenderer::samples_of(const TileState& tile, int last) const {
@@ -207,21 +217,37 @@ bool RangeRenderer::render_pass(int last) {
   return rendered == open_.size();
 }
 
+/// Brings a state that has not begun to where all samples before `first` would have brought it, but
+/// for the film.
+void begin_late(const RenderContext& context, int first, RenderState& state) {
+  const SampleSchedule schedule(context.plan.settings);
+  const int round_end = schedule.end_of_round(0);
+  if (context.light_passes.needed())
+    for (int done = 0; done <= first; done = state.light.samples.last) {
+      const int pass_end = schedule.end_of_pass(done, round_end);
+      context.light_passes.begin(state.light, {done, schedule.end_of_light_pass(done, pass_end)});
+    }
+  state.done = first;
+  state.round_end = round_end;
+  for (TileState& tile : state.tiles)
+    tile.samples = first;
+}
+
 } // namespace
 
 bool render(const Scene& scene, const Plan& plan, const World& world, SampleRange range,
             RenderState& state, const RenderControl& control) {
   assert(!control.record || plan.settings.threads == 1);
-  assert(range.last <= plan.settings.samples_per_pixel);
-  if (range.first > state.done) {
+  [[maybe_unused]] const int most = plan.settings.samples_per_pixel;
+  assert(range.last <= most);
+  const bool begins_late = range.first > state.done;
+  if (begins_late) {
     assert(state.done == 0 && state.round_end == 0); // it has not begun
-    assert(plan.settings.adaptive == AdaptiveSampling::off && plan.settings.noise == 0.0 &&
-           !plan.caustics);
-    state.done = state.round_end = range.first;
-    for (TileState& tile : state.tiles)
-      tile.samples = range.first;
+    assert(plan.settings.adaptive == AdaptiveSampling::off && !plan.settings.may_end_early());
+    assert(!plan.caustics || range.first == samples_of(state.light.part, most).first);
   }
   RenderContext context(scene, plan, world);
+  if (begins_late) begin_late(context, range.first, state);
   return RangeRenderer(context, range, state, control).run();
 }
 

@@ -23,6 +23,8 @@ using ProgressCallback = std::function<void(const RenderProgress&)>;
 struct RenderControl {
   ProgressCallback progress = {};
   const std::atomic<bool>* stop = nullptr; ///< set from anywhere, it ends the rendering soon
+  /// The rendering is stopped when it has taken camera samples for so many seconds; 0: never.
+  double pause_after = 0.0;
   RayRecord* record = nullptr; ///< for measurements, gets all rays; needs settings with one thread
 };
 
@@ -32,7 +34,9 @@ struct RenderControl {
 ///
 /// The range begins where the state ends (samples that the state has are not rendered again), or
 /// anywhere in a state that has not begun, unless what comes before decides on what comes after, as
-/// with adaptive sampling, a noise target or light passes. Rendering one range after the other
+/// with adaptive sampling, a noise target or a time limit. A range of a rendering with light passes
+/// that begins anywhere must be a part's (`RenderPart`), so that its light paths are a part too.
+/// Rendering one range after the other
 /// gives the bytes of rendering them at once. With adaptive sampling or a noise target a range goes
 /// on to the end of the pass in which it ends. After a stop the state holds whole samples,
 /// and the same range, or a longer one, takes up the rest.

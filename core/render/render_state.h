@@ -44,8 +44,10 @@ struct RenderState {
 };
 
 /// A rendering that has not begun. Its film keeps the sums of all bands where `bands` says where
-/// to, and errors where the settings need them. Errors: those of FileBackedSums.
+/// to, and errors where the settings need them. Of a part, `render` takes the samples of that part
+/// alone (`samples_of`). Errors: those of FileBackedSums.
 [[nodiscard]] RenderState begin_rendering(const Scene& scene, const Plan& plan,
-                                          const std::optional<BandPlace>& bands = {});
+                                          const std::optional<BandPlace>& bands = {},
+                                          const RenderPart& part = {});
 
 } // namespace abbe

@@ -133,7 +133,9 @@ public:
     lanes.outwards = lanes.crossed & (reversed_ ? ~positive : positive);
     const __m256d weighed = _mm256_add_pd(
         _mm256_add_pd(_mm256_mul_pd(u, a.z), _mm256_mul_pd(v, b.z)), _mm256_mul_pd(w, c.z));
-    _mm256_store_pd(lanes.t.data(), _mm256_div_pd(weighed, sum));
+    // Triangles that are not crossed may have the sum 0.
+    const __m256d divisor = _mm256_blendv_pd(_mm256_set1_pd(1.0), sum, met);
+    _mm256_store_pd(lanes.t.data(), _mm256_div_pd(weighed, divisor));
     return lanes;
   }
 

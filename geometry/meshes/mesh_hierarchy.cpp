@@ -64,18 +64,21 @@ glm::vec3 rounded(const dvec3& v, float towards) {
 /// Sorts centres along one axis into bins.
 class Bins {
 public:
-  Bins(const FloatBox& centres, int axis)
-      : axis_(axis), first_(centres.lower[axis]),
-        per_bin_(static_cast<float>(kBins) / (centres.upper[axis] - centres.lower[axis])) {}
+  Bins(const FloatBox& centres, int axis) : axis_(axis), first_(centres.lower[axis]) {
+    const float extent = centres.upper[axis] - centres.lower[axis];
+    if (extent > kBins / std::numeric_limits<float>::max())
+      per_bin_ = static_cast<float>(kBins) / extent;
+  }
 
-  [[nodiscard]] bool part() const { return std::isfinite(per_bin_); }
+  [[nodiscard]] bool part() const { return per_bin_ > 0.0f; }
   [[nodiscard]] int of(const Item& item) const {
     return std::min(static_cast<int>((item.centre()[axis_] - first_) * per_bin_), kBins - 1);
   }
 
 private:
   int axis_;
-  float first_, per_bin_;
+  float first_;
+  float per_bin_ = 0.0f; ///< 0 where the centres are at one place
 };
 
 /// The cost of intersecting so many triangles.
@@ -107,16 +110,16 @@ Split best_split(const Part& part, const FloatBox& centres) {
     for (std::size_t bin = kBins - 1; bin > 0; --bin) {
       box.join(boxes[bin]);
       count += counts[bin];
-      behind[bin - 1] = box.area() * cost(count);
+      if (count > 0) behind[bin - 1] = box.area() * cost(count);
     }
     box = {};
     count = 0;
     for (std::size_t bin = 0; bin + 1 < kBins; ++bin) {
       box.join(boxes[bin]);
       count += counts[bin];
+      if (count == 0 || count == static_cast<int>(part.items.size())) continue;
       const float whole = box.area() * cost(count) + behind[bin];
-      if (count > 0 && count < static_cast<int>(part.items.size()) && whole < best.cost)
-        best = {whole, axis, static_cast<int>(bin)};
+      if (whole < best.cost) best = {whole, axis, static_cast<int>(bin)};
     }
   }
   return best;

@@ -35,11 +35,9 @@ template <class S>
   const auto with_error = [&](const PlaneRoot& root) {
     return Root{root.t, root_error(solid, ray, root), {0, root.face}};
   };
-  Interval inside{with_error(found->enter), with_error(found->exit)};
-  if (contact) {
-    inside.enter.t_error = 0.0;
-    inside.exit.t = std::max(0.0, inside.exit.t);
-  }
+  if (!contact) return Interval{with_error(found->enter), with_error(found->exit)};
+  Interval inside{{found->enter.t, 0.0, {0, found->enter.face}}, with_error(found->exit)};
+  inside.exit.t = std::max(0.0, inside.exit.t);
   return inside;
 }
 

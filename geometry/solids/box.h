@@ -19,7 +19,8 @@ struct Box {};
   const Wide o = wide_origin(ray), d = wide_direction(ray), one{1.0, 1.0, 1.0, 1.0};
   // The ray enters through the face it runs against and leaves through the opposite one.
   const Wide sign = d > 0.0 ? one : -one;
-  const Wide t_exit = (sign - o) / d, t_enter = (-sign - o) / d;
+  const Wide divisor = d != 0.0 ? d : one; // what is parallel to faces is told apart below
+  const Wide t_exit = (sign - o) / divisor, t_enter = (-sign - o) / divisor;
   PlaneInterval inside;
   for (int axis = 0; axis < 3; ++axis) {
     if (d[axis] == 0.0) {

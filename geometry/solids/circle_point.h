@@ -2,6 +2,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace abbe {
@@ -50,12 +51,12 @@ using glm::dvec2;
   }
 }
 
-/// The cosine after so many turns, fewer than 2^52, without a branch: loops of it go several at
-/// once.
-[[nodiscard]] inline double cosine_of_turns(double turns) {
+/// The magnitude of the sine after so many turns, fewer than 2^52, without a branch: loops of it go
+/// several at once. It is exact to the last places near a whole turn too.
+[[nodiscard]] inline double sine_of_turns(double turns) {
   constexpr double kTurn = 6.28318530717958647693;
-  // cos(2 pi r) = sin(2 pi (1/4 - |r|)), r the difference from the nearest whole turn
-  const double a = kTurn * (0.25 - std::abs(turns - std::floor(turns + 0.5)));
+  const double r = std::abs(turns - std::floor(turns + 0.5)); // from the nearest whole turn
+  const double a = kTurn * std::min(r, 0.5 - r);
   const double a2 = a * a;
   double s = 1.0 / 51090942171709440000.0;
   s = s * a2 - 1.0 / 121645100408832000.0;

@@ -188,6 +188,7 @@ World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_origin
   for (std::size_t i = 0; i < shapes.size(); ++i)
     groups[shapes[i].shape.index()].primitives.emplace_back(shapes[i],
                                                             ShapeId{static_cast<std::int32_t>(i)});
+  [[maybe_unused]] const FloatTraps off(false);
   scene.reset(rtcNewScene(device.get()));
   rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
   attach(groups, device.get(), scene.get());
@@ -349,6 +350,7 @@ Nesting World::Impl::shapes_near(const dvec3& place, double distance) const {
   // As for rays, the boxes' padding covers what single precision does to the place.
   query.radius = rounded_up(distance);
   RTCPointQueryContext context;
+  [[maybe_unused]] const FloatTraps off(false);
   rtcInitPointQueryContext(&context);
   rtcPointQuery(
       scene.get(), &query, &context,

@@ -90,6 +90,7 @@ bool surely_nearer(const ShapeCrossing& crossing, double distance) {
 
 template <class S>
 void intersect_callback(const RTCIntersectFunctionNArguments* args) noexcept {
+  [[maybe_unused]] const FloatTraps on(true);
   const auto& group = *static_cast<const ShapeGroup*>(args->geometryUserPtr);
   const auto& query = *reinterpret_cast<const Query*>(args->context);
   const Primitive& primitive = group.primitives[args->primID];
@@ -108,6 +109,7 @@ void intersect_callback(const RTCIntersectFunctionNArguments* args) noexcept {
 
 template <class S>
 void occluded_callback(const RTCOccludedFunctionNArguments* args) noexcept {
+  [[maybe_unused]] const FloatTraps on(true);
   const auto& group = *static_cast<const ShapeGroup*>(args->geometryUserPtr);
   auto& query = *reinterpret_cast<Query*>(args->context);
   const Primitive& primitive = group.primitives[args->primID];

@@ -8,6 +8,8 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include "geometry/rays/float_traps.h"
+
 #include <memory>
 #include <type_traits>
 
@@ -34,22 +36,27 @@ inline RTCIntersectArguments arguments(Context& context, RTCRayQueryFlags flags)
   return found;
 }
 inline void intersect(RTCScene scene, Context& context, RTCRayHit& ray) {
+  [[maybe_unused]] const FloatTraps off(false);
   auto args = arguments(context, RTC_RAY_QUERY_FLAG_INCOHERENT);
   rtcIntersect1(scene, &ray, &args);
 }
 inline void intersect(const int* valid, RTCScene scene, Context& context, RTCRayHit4& rays) {
+  [[maybe_unused]] const FloatTraps off(false);
   auto args = arguments(context, RTC_RAY_QUERY_FLAG_COHERENT);
   rtcIntersect4(valid, scene, &rays, &args);
 }
 inline void intersect(const int* valid, RTCScene scene, Context& context, RTCRayHit8& rays) {
+  [[maybe_unused]] const FloatTraps off(false);
   auto args = arguments(context, RTC_RAY_QUERY_FLAG_COHERENT);
   rtcIntersect8(valid, scene, &rays, &args);
 }
 inline void intersect(const int* valid, RTCScene scene, Context& context, RTCRayHit16& rays) {
+  [[maybe_unused]] const FloatTraps off(false);
   auto args = arguments(context, RTC_RAY_QUERY_FLAG_COHERENT);
   rtcIntersect16(valid, scene, &rays, &args);
 }
 inline void occluded(RTCScene scene, Context& context, RTCRay& ray) {
+  [[maybe_unused]] const FloatTraps off(false);
   RTCOccludedArguments args;
   rtcInitOccludedArguments(&args);
   args.context = &context;
@@ -63,21 +70,26 @@ inline void init(Context& context) {
   rtcInitIntersectContext(&context);
 }
 inline void intersect(RTCScene scene, Context& context, RTCRayHit& ray) {
+  [[maybe_unused]] const FloatTraps off(false);
   rtcIntersect1(scene, &context, &ray);
 }
 inline void intersect(const int* valid, RTCScene scene, Context& context, RTCRayHit4& rays) {
+  [[maybe_unused]] const FloatTraps off(false);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcIntersect4(valid, scene, &context, &rays);
 }
 inline void intersect(const int* valid, RTCScene scene, Context& context, RTCRayHit8& rays) {
+  [[maybe_unused]] const FloatTraps off(false);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcIntersect8(valid, scene, &context, &rays);
 }
 inline void intersect(const int* valid, RTCScene scene, Context& context, RTCRayHit16& rays) {
+  [[maybe_unused]] const FloatTraps off(false);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcIntersect16(valid, scene, &context, &rays);
 }
 inline void occluded(RTCScene scene, Context& context, RTCRay& ray) {
+  [[maybe_unused]] const FloatTraps off(false);
   rtcOccluded1(scene, &context, &ray);
 }
 

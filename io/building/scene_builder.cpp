@@ -60,6 +60,7 @@ void SceneBuilder::warn_of_the_whole(const Warn& warn) const {
   keywords_.warn_of_rest(warn);
   for (const std::string& warning : energy_warnings_)
     warn(warning);
+  opaque_solids_.warn_of_parted(scene_, warn);
 }
 
 MediumId SceneBuilder::add_medium(const SourcePosition& where, const Medium& medium) {
@@ -78,6 +79,8 @@ void SceneBuilder::add_shape(const SourcePosition& where, PlacedShape shape,
   shape.material = add_material(where, material);
   if (is_solid(shape.shape) && is_transparent(material.finish))
     shape.medium = add_medium(where, material.medium);
+  else if (is_solid(shape.shape))
+    opaque_solids_.add(scene_.shapes.size(), where);
   scene_.shapes.push_back(std::move(shape));
 }
 

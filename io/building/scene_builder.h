@@ -2,6 +2,7 @@
 
 #include "core/scene/scene.h"
 #include "io/building/keyword_effects.h"
+#include "io/building/opaque_solids.h"
 #include "io/building/shape_material.h"
 #include "io/text/read_error.h"
 
@@ -51,7 +52,8 @@ public:
   /// Warns once of a glass whose formula was not fitted for all wavelengths of a picture.
   void warn_of_extrapolation(const SourcePosition& where, const Glass& glass, const Warn& warn);
 
-  /// Warns of keywords without effect, and of materials that give back more light than they get.
+  /// Warns of keywords without effect, of materials that give back more light than they get, and of
+  /// opaque solids between the camera and lights.
   void warn_of_the_whole(const Warn& warn) const;
 
   /// What keywords have acted on.
@@ -75,6 +77,7 @@ private:
 
   Scene scene_;
   KeywordLedger keywords_;
+  OpaqueSolids opaque_solids_;
   std::vector<std::string> energy_warnings_;
   KnownValues materials_, media_;
   std::map<std::filesystem::path, std::size_t> images_;

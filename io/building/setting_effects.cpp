@@ -59,7 +59,10 @@ constexpr auto kEffects = std::to_array<SettingEffect>({
      "the camera is a pinhole, through which all is sharp: it needs an aperture or fNumber"},
     {"fieldOfView", "", [](const Rest& rest) { return !rest.has("filmHeight"); },
      "filmHeight replaces it"},
+    // Noted for others that ask for them.
     {"filmHeight", "", [](const Rest&) { return true; }, ""},
+    {"minReflectivity", "", [](const Rest&) { return true; }, ""},
+    {"minTransparency", "", [](const Rest&) { return true; }, ""},
 });
 
 } // namespace

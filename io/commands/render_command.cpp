@@ -7,12 +7,15 @@
 #include "core/render/render.h"
 #include "core/render/worker_limit.h"
 #include "io/commands/check_memory.h"
+#include "io/commands/checkpoints.h"
+#include "io/commands/kept_state.h"
 #include "io/commands/scene_request.h"
 #include "io/commands/setting_options.h"
 #include "io/console/exit_codes.h"
 #include "io/console/interrupt.h"
 #include "io/console/progress.h"
 #include "io/console/terminal.h"
+#include "io/outputs/band_place.h"
 #include "io/outputs/output_effects.h"
 #include "io/outputs/picture_warnings.h"
 #include "io/outputs/write_outputs.h"
@@ -21,7 +24,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <cstdlib>
+#include <utility>
 
 namespace abbe {
 namespace {
@@ -45,17 +48,21 @@ void warn_unless_empty(const std::string& message) {
   if (!message.empty()) say_warning(message);
 }
 
-Outputs outputs_of(const RenderCommand& command, const Scene& scene) {
-  Outputs outputs{command.outputs, command.spectral_output};
+Outputs outputs_of(const RenderCommand& command, const Scene& scene, const RenderPart& part) {
+  if (!part.is_whole()) {
+    if (command.outputs.size() != 1)
+      throw UserError("a part goes into one file. Name it with -o, such as -o part3.state");
+    if (is_known_image_extension(command.outputs.front()))
+      throw UserError(fmt::format("{}: a part is a state and no picture. Name it otherwise, such "
+                                  "as part3.state",
+                                  command.outputs.front().string()));
+    if (command.states.checkpoint)
+      throw UserError("a part is kept now and then in its own file. Leave out --checkpoint");
+    return {{}, {}, command.outputs.front()};
+  }
+  Outputs outputs{command.outputs, command.spectral_output, command.states.checkpoint};
   if (outputs.images.empty()) outputs.images = {scene.title + ".exr", scene.title + ".tiff"};
   return outputs;
-}
-
-/// Where the sums of all bands go when they are large.
-BandPlace band_place(const fs::path& spectral) {
-  if (const char* folder = std::getenv("TMPDIR"); folder != nullptr && *folder != '\0')
-    return {folder};
-  return {spectral.has_parent_path() ? spectral.parent_path() : "."};
 }
 
 /// The settings with as many threads as the system allows.
@@ -72,7 +79,7 @@ bool has_samples(const Film& film) {
   return some;
 }
 
-/// Keeps what was done of a rendering that was stopped, and returns the exit code.
+/// Writes a picture of what was done of a rendering that was stopped, and returns the exit code.
 int write_partial(const Rendering& rendering, const Plan& plan, const Outputs& outputs,
                   const OutputOptions& options) {
   if (!has_samples(rendering.film)) {
@@ -89,51 +96,120 @@ int write_partial(const Rendering& rendering, const Plan& plan, const Outputs& o
 
 void add_options(CLI::App& app, RenderCommand& command) {
   add_scene(app, command.scene_path);
+  app.get_option("scene")->required(false);
+  app.callback([&command] {
+    if (command.scene_path.empty() && !command.states.resume) throw CLI::RequiredError("scene");
+  });
   app.add_option("-o,--output", command.outputs,
                  "Picture to write (" + known_image_extensions() +
                      "); may be repeated. Default: NAME.exr and NAME.tiff in this folder")
+      ->allow_extra_args(false) // what follows its file may be the scene
       ->type_name("FILE");
   app.add_option("--spectral", command.spectral_output, "Write all bands into one EXR")
       ->type_name("FILE");
   add_settings(app, command.display);
   add_output_options(app, command.output);
   add_memory_limit(app, command.memory_limit_gib);
+  add_state_options(app, command.states);
   app.add_flag("-q,--quiet", command.quiet, "Print warnings and errors only");
   add_settings(app, command.settings);
 }
 
+namespace {
+
+/// A scene with its settings, and where its rendering begins.
+struct Request {
+  InputFiles inputs;
+  std::optional<StateReader> resumed;
+  std::filesystem::path scene_path;
+  SceneRequest scene;
+  RenderPart part;
+};
+
+Request read_request(const RenderCommand& command) {
+  Request request;
+  const StateOptions& states = command.states;
+  if (states.resume) request.resumed.emplace(*states.resume);
+  const StateReader* resumed = request.resumed ? &*request.resumed : nullptr;
+  request.part = part_of(states, resumed);
+  request.scene_path = command.scene_path.empty() ? resumed->info().scene : command.scene_path;
+  request.scene = read_request(request.scene_path, command.settings, &request.inputs);
+  if (!resumed) return request;
+  check_origin(*states.resume, resumed->info(), request.inputs);
+  request.scene.settings =
+      resumed_settings(*states.resume, resumed->info(), request.scene.settings, command.settings);
+  return request;
+}
+
+/// Where the bands go that the film keeps, if it does.
+std::optional<BandPlace> bands_of(const RenderCommand& command, const Request& request) {
+  const bool kept = request.resumed && request.resumed->has_bands();
+  if (request.resumed && command.spectral_output && !kept)
+    throw UserError(fmt::format("{}: this state has no bands. They are kept where a rendering is "
+                                "begun with --spectral",
+                                command.states.resume->string()));
+  if (!command.spectral_output && !kept) return std::nullopt;
+  return band_place(command.spectral_output.value_or(std::filesystem::path()));
+}
+
+RenderState begin(const RenderCommand& command, Request& request, const Plan& plan,
+                  const std::optional<BandPlace>& bands) {
+  const Scene& scene = request.scene.scene;
+  if (!request.resumed) return begin_rendering(scene, plan, bands, request.part);
+  const std::filesystem::path& file = *command.states.resume;
+  check_plan(file, *request.resumed, scene, plan);
+  RenderState state = request.resumed->read(bands.value_or(BandPlace{}));
+  if (!command.quiet) say(resume_note(file, request.resumed->info(), state, plan));
+  return state;
+}
+
+/// Tells where the state is that a rendering leaves, or that there is none.
+void tell_state(const Outputs& outputs, const CheckpointedRender& done, bool quiet) {
+  if (!outputs.state || !done.kept) return;
+  if (!done.complete)
+    say_error(fmt::format("interrupted: --resume {} goes on", outputs.state->string()));
+  else if (!quiet)
+    say("wrote " + outputs.state->string());
+}
+
+} // namespace
+
 int run(const RenderCommand& command) {
   outlive_readers();
   const std::atomic<bool>& stop = interrupted();
-  InputFiles inputs;
-  const SceneRequest request = read_request(command.scene_path, command.settings, &inputs);
-  const Scene& scene = request.scene;
-  const Outputs outputs = outputs_of(command, scene);
-  check_outputs(outputs, inputs);
+  Request request = read_request(command);
+  const Scene& scene = request.scene.scene;
+  const Outputs outputs = outputs_of(command, scene, request.part);
+  check_outputs(outputs, request.inputs);
   warn_of_outputs(command.given, outputs, command.output, say_warning);
-  check_memory(least_memory_need(request.settings), command.memory_limit_gib);
-  const Workers workers = limit_workers(request.settings.threads);
-  const Plan plan = make_plan(scene, with_allowed_threads(request.settings, workers));
-  std::optional<BandPlace> bands;
-  if (outputs.spectral) bands = band_place(*outputs.spectral);
+  check_memory(least_memory_need(request.scene.settings), command.memory_limit_gib);
+  const Workers workers = limit_workers(request.scene.settings.threads);
+  const Plan plan = make_plan(scene, with_allowed_threads(request.scene.settings, workers));
+  check_part(request.part, plan.settings);
+  const std::optional<BandPlace> bands = bands_of(command, request);
   check_memory(memory_need(scene, plan, bands), command.memory_limit_gib);
   if (!command.quiet) tell_plan(plan);
+  RenderState state = begin(command, request, plan, bands);
   const World world(scene.shapes, farthest_coordinate(scene));
 
-  Progress progress(command.quiet);
-  const Rendering rendering =
-      render(scene, plan, world, bands,
-             {.progress = [&](const RenderProgress& p) { progress.tell(p); }, .stop = &stop});
-  progress.finish();
+  const StateInfo info = info_of(request.scene_path, request.inputs, plan, request.part);
+  const SampleRange range = samples_of(request.part, plan.settings.samples_per_pixel);
+  const CheckpointedRender done =
+      render_with_checkpoints({scene, plan, world, info}, range, state,
+                              {outputs.state, command.states.every_seconds}, stop, command.quiet);
+  const Rendering rendering = end_rendering(std::move(state), plan, done.complete);
   if (!command.quiet) say(summary(rendering));
+  tell_state(outputs, done, command.quiet);
+  if (outputs.images.empty())
+    return !done.complete ? kExitInterrupted : done.kept ? 0 : kExitFailure;
   warn_unless_empty(light_warning(rendering));
 
   if (!rendering.complete) return write_partial(rendering, plan, outputs, command.output);
   warn_unless_empty(warning_of_darkness(scene, plan, rendering));
   const DisplaySettings display = overridden(scene.display, command.display);
-  return write_outputs(rendering, plan, outputs, command.output, display, command.quiet)
-             ? 0
-             : kExitFailure;
+  const bool written =
+      write_outputs(rendering, plan, outputs, command.output, display, command.quiet);
+  return written && done.kept ? 0 : kExitFailure;
 }
 
 } // namespace abbe

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/commands/state_options.h"
 #include "io/images/write_image.h"
 #include "io/settings/setting_text.h"
 
@@ -19,14 +20,16 @@ struct RenderCommand {
   static constexpr const char* kName = "render";
   static constexpr const char* kHelp = "Render a scene";
 
-  std::filesystem::path scene_path;
+  std::filesystem::path scene_path; ///< may be empty where a state tells it
   SettingsOverride settings;
   DisplayOverride display;
   OutputOptions output;
-  std::vector<std::string> given;             ///< the names of all options that were given
-  std::vector<std::filesystem::path> outputs; ///< empty: NAME.exr and NAME.tiff
+  std::vector<std::string> given; ///< the names of all options that were given
+  /// Empty: NAME.exr and NAME.tiff. Of a part, one state.
+  std::vector<std::filesystem::path> outputs;
   std::optional<std::filesystem::path> spectral_output;
   std::optional<double> memory_limit_gib; ///< empty: what the machine has left
+  StateOptions states;
   bool quiet = false;
 };
 void add_options(CLI::App& app, RenderCommand& command);

@@ -1,5 +1,7 @@
 #include "io/console/interrupt.h"
 
+#include "io/files/temporary_names.h"
+
 #include <csignal>
 #include <ctime>
 
@@ -31,6 +33,7 @@ extern "C" void on_signal(int signal) {
     return;
   }
   if (just_asked()) return;
+  remove_temporary_files();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }

@@ -1,8 +1,11 @@
 #include "io/files/atomic_file.h"
 
+#include "io/files/temporary_names.h"
+
 #include <fmt/format.h>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -69,15 +72,49 @@ void write_all(int to, const char* bytes, std::size_t count) {
   }
 }
 
+/// What the names of this machine's temporary files begin with. Machines of a farm share folders.
+std::string temporary_prefix() {
+  std::array<char, 65> host{}; // Linux allows 64 characters
+  if (::gethostname(host.data(), host.size() - 1) != 0) host[0] = '\0';
+  return fmt::format(".abbe-{}-", host.data());
+}
+
+/// Takes the lock that tells that a temporary file is in use; it is free again when the file is
+/// closed, which also the end of the process does. Returns false where another holds it, and where
+/// the file system has no locks, so that nothing is removed there.
+bool lock_if_free(int file) {
+  return ::flock(file, LOCK_EX | LOCK_NB) == 0;
+}
+
+/// Removes what processes have left in the folder that were killed while they wrote.
+void remove_abandoned(const fs::path& folder) {
+  const std::string prefix = temporary_prefix();
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.starts_with(prefix) || !name.ends_with(".tmp")) continue;
+    const int file =
+        ::open(entry->path().c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY);
+    if (file < 0) continue;
+    if (lock_if_free(file)) ::unlink(entry->path().c_str());
+    ::close(file);
+  }
+}
+
 /// An empty file in the folder of the target, gone at the end of its scope unless it took its name.
 class TemporaryFile {
 public:
   explicit TemporaryFile(const Target& target) : target_(target) {
     const fs::path folder = folder_of(target.path);
+    remove_abandoned(folder);
     file_ = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
     // Not all file systems have unnamed files, and without /proc they cannot be named later.
     if (file_ >= 0 && ::access(open_path().c_str(), W_OK) != 0) ::close(std::exchange(file_, -1));
-    if (file_ < 0) open_named();
+    if (file_ < 0)
+      open_named();
+    else
+      (void)lock_if_free(file_); // before it has a name
     if (target.old) (void)::fchmod(file_, target.old->st_mode & 07777U);
   }
   TemporaryFile(const TemporaryFile&) = delete;
@@ -100,6 +137,7 @@ public:
     if (target_.old && target_.old->st_nlink > 1) return fill_target();
     if (name_.empty()) link();
     if (::rename(name_.c_str(), target_.path.c_str()) != 0) throw_errno();
+    removed_by_signals_.reset();
     name_.clear();
   }
 
@@ -108,7 +146,13 @@ private:
 
   /// A name of a length of its own: the target's may be as long as names can be.
   [[nodiscard]] fs::path name(int attempt) const {
-    return folder_of(target_.path) / fmt::format(".abbe-{}-{}.tmp", ::getpid(), attempt);
+    return folder_of(target_.path) /
+           fmt::format("{}{}-{}.tmp", temporary_prefix(), ::getpid(), attempt);
+  }
+
+  void set_name(const fs::path& path) {
+    removed_by_signals_.emplace(path);
+    name_ = path;
   }
 
   void open_named() {
@@ -116,21 +160,27 @@ private:
     for (int attempt = 0; file_ < 0; ++attempt) {
       const fs::path path = name(attempt);
       file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (file_ >= 0)
-        name_ = path;
-      else if (errno != EEXIST)
-        throw_errno();
+      if (file_ < 0 && errno != EEXIST) throw_errno();
+      if (file_ >= 0 && !keep_named(path)) ::close(std::exchange(file_, -1));
     }
+  }
+
+  /// Locks the file that has just been made. Returns false where another process has taken it for
+  /// an abandoned one before, and has removed it.
+  bool keep_named(const fs::path& path) {
+    struct stat status{};
+    if (!lock_if_free(file_) && errno == EWOULDBLOCK) return false;
+    if (::fstat(file_, &status) == 0 && status.st_nlink == 0) return false;
+    set_name(path);
+    return true;
   }
 
   /// Gives an unnamed file a name. No call lets it replace another file at once.
   void link() {
     for (int attempt = 0;; ++attempt) {
       const fs::path path = name(attempt);
-      if (::linkat(AT_FDCWD, open_path().c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0) {
-        name_ = path;
-        return;
-      }
+      if (::linkat(AT_FDCWD, open_path().c_str(), AT_FDCWD, path.c_str(), AT_SYMLINK_FOLLOW) == 0)
+        return set_name(path);
       if (errno != EEXIST) throw_errno();
     }
   }
@@ -157,6 +207,7 @@ private:
 
   Target target_;
   fs::path name_; ///< empty for an unnamed file
+  std::optional<TemporaryName> removed_by_signals_;
   int file_ = -1;
 };
 

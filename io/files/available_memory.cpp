@@ -55,7 +55,7 @@ std::uint64_t free_in_group() {
 std::uint64_t free_address_space() {
   rlimit limit{};
   if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kUnlimited;
-  const std::uint64_t used = number_in("/proc/self/statm").value_or(0) * 4096;
+  const std::uint64_t used = address_space();
   return limit.rlim_cur > used ? limit.rlim_cur - used : 0;
 }
 
@@ -63,6 +63,16 @@ std::uint64_t free_address_space() {
 
 std::uint64_t available_memory() {
   return std::min({free_on_machine(), free_in_group(), free_address_space()});
+}
+
+std::uint64_t address_space() {
+  return number_in("/proc/self/statm").value_or(0) * 4096;
+}
+
+std::uint64_t memory_in_use() {
+  std::ifstream file("/proc/self/statm");
+  std::uint64_t all = 0, resident = 0;
+  return file >> all >> resident ? resident * 4096 : 0;
 }
 
 std::string memory_text(std::uint64_t bytes) {

@@ -10,6 +10,12 @@ namespace abbe {
 /// has a limit. The largest number where nothing tells.
 [[nodiscard]] std::uint64_t available_memory();
 
+/// How many bytes of addresses this process has in use.
+[[nodiscard]] std::uint64_t address_space();
+
+/// How many bytes of memory this process takes now; 0 where nothing tells.
+[[nodiscard]] std::uint64_t memory_in_use();
+
 /// Such as "3.5 GiB" or "20 MiB".
 [[nodiscard]] std::string memory_text(std::uint64_t bytes);
 

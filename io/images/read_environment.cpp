@@ -6,6 +6,7 @@
 #include "io/images/read_environment.h"
 
 #include "io/images/read_exr.h"
+#include "io/images/read_in_child.h"
 
 #include <fmt/format.h>
 
@@ -27,7 +28,7 @@ Environment read_environment(const Token& name, const Warn& warn) {
                     "Check the name, or write the whole path");
   ExrImage image;
   try {
-    image = read_exr_image(file);
+    image = read_in_child([&] { return read_exr_image(file); });
   } catch (const std::exception& fault) {
     throw ReadError(name.where, fmt::format("\"{}\" cannot be read", file.string()), fault.what(),
                     "Write the image again, as OpenEXR");

@@ -13,11 +13,14 @@
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace abbe {
@@ -97,29 +100,78 @@ std::vector<const char*> color_channels(const Imf::ChannelList& channels) {
   throw std::runtime_error("it has neither full channels R, G and B nor a full channel Y");
 }
 
-} // namespace
+/// The next number of a header.
+std::uint32_t take_number(std::istream& file) {
+  std::array<char, 4> bytes{};
+  file.read(bytes.data(), bytes.size());
+  std::uint32_t number = 0;
+  for (std::size_t i = bytes.size(); i-- > 0;) // little-endian
+    number = number << 8U | static_cast<unsigned char>(bytes[i]);
+  return number;
+}
 
-ExrImage read_exr_image(const std::filesystem::path& path) {
-  require_regular_file(path);
-  constexpr int kMostPixels = 65536;
-  Imf::Header::setMaxImageSize(kMostPixels, kMostPixels); // OpenEXR has a table of all rows
-  Imf::InputFile file(path.c_str());
-  const Imf::Header& header = file.header();
-  const auto channels = color_channels(header.channels());
-  const Imath::Box2i window = header.dataWindow(); // includes its last pixel
+/// OpenEXR takes memory for an attribute of its headers as large as the file says that it is.
+/// Throws where that is more than the file holds.
+void require_attributes(const std::filesystem::path& path) {
+  constexpr std::uint32_t kMagic = 20000630, kSeveralParts = 0x1000;
+  const std::uintmax_t file_size = std::filesystem::file_size(path);
+  std::ifstream file(path, std::ios::binary);
+  if (take_number(file) != kMagic) return; // OpenEXR says so
+  const bool several = (take_number(file) & kSeveralParts) != 0;
+  std::string name, type;
+  bool more = true;
+  while (more) { // for each part; one without attributes ends them
+    more = false;
+    while (std::getline(file, name, '\0') && !name.empty() && std::getline(file, type, '\0')) {
+      const std::uint32_t size = take_number(file);
+      if (!file || size > file_size - static_cast<std::uintmax_t>(file.tellg()))
+        throw std::runtime_error("an attribute of its header is cut off");
+      file.seekg(size, std::ios::cur);
+      more = several;
+    }
+  }
+}
+
+/// Reads the channels into every third value. Memory is filled as rows come, so that a small file
+/// that declares a large image takes little.
+ExrImage read_rows(Imf::InputFile& file, const std::vector<const char*>& channels) {
+  const Imath::Box2i window = file.header().dataWindow(); // includes its last pixel
   const auto width = static_cast<std::int64_t>(window.max.x) - window.min.x + 1;
   const auto height = static_cast<std::int64_t>(window.max.y) - window.min.y + 1;
   constexpr std::size_t kPixel = 3 * sizeof(float);
   require_image_memory(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height),
                        kPixel);
   ExrImage image{static_cast<int>(width), static_cast<int>(height), {}, {}};
-  image.rgb.resize(3 * static_cast<std::size_t>(width * height));
-  Imf::FrameBuffer frame;
-  for (std::size_t i = 0; i < channels.size(); ++i)
-    frame.insert(channels[i], Imf::Slice::Make(Imf::FLOAT, image.rgb.data() + i, window, kPixel,
-                                               kPixel * static_cast<std::size_t>(width)));
-  file.setFrameBuffer(frame);
-  file.readPixels(window.min.y, window.max.y);
+  image.rgb.reserve(3 * static_cast<std::size_t>(width * height));
+  constexpr int kRows = 256; // no kind of compression packs more rows together
+  for (std::int64_t y = window.min.y; y <= window.max.y; y += kRows) {
+    Imath::Box2i rows = window;
+    rows.min.y = static_cast<int>(y);
+    rows.max.y = static_cast<int>(std::min<std::int64_t>(y + kRows - 1, window.max.y));
+    const std::size_t begin = image.rgb.size();
+    image.rgb.resize(begin + 3 * static_cast<std::size_t>(width) *
+                                 static_cast<std::size_t>(rows.max.y - rows.min.y + 1));
+    Imf::FrameBuffer frame;
+    for (std::size_t i = 0; i < channels.size(); ++i)
+      frame.insert(channels[i], Imf::Slice::Make(Imf::FLOAT, image.rgb.data() + begin + i, rows,
+                                                 kPixel, kPixel * static_cast<std::size_t>(width)));
+    file.setFrameBuffer(frame);
+    file.readPixels(rows.min.y, rows.max.y);
+  }
+  return image;
+}
+
+} // namespace
+
+ExrImage read_exr_image(const std::filesystem::path& path) {
+  require_regular_file(path);
+  constexpr int kMostPixels = 65536;
+  Imf::Header::setMaxImageSize(kMostPixels, kMostPixels); // OpenEXR has a table of all rows
+  require_attributes(path);
+  Imf::InputFile file(path.c_str());
+  const Imf::Header& header = file.header();
+  const auto channels = color_channels(header.channels());
+  ExrImage image = read_rows(file, channels);
   if (channels.size() == 1) {
     for (std::size_t i = 0; i < image.rgb.size(); i += 3)
       image.rgb[i + 1] = image.rgb[i + 2] = image.rgb[i];

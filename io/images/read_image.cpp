@@ -8,6 +8,7 @@
 
 #include "io/files/available_memory.h"
 #include "io/images/read_exr.h"
+#include "io/images/read_in_child.h"
 #include "io/text/read_arguments.h"
 #include "spectral/data_table.h"
 
@@ -72,13 +73,13 @@ ReflectanceImage read_image(const Token& name, const Warn& warn) {
   ReflectanceImage image;
   std::string unknown_tag;
   try {
-    if (png) {
-      image = read_png(file);
-    } else {
-      ExrImage exr = read_exr_image(file);
-      unknown_tag = std::move(exr.unknown_tag);
-      image = {exr.width, exr.height, std::move(exr.rgb)};
-    }
+    ExrImage read = read_in_child([&]() -> ExrImage {
+      if (!png) return read_exr_image(file);
+      ReflectanceImage codes = read_png(file);
+      return {codes.width, codes.height, std::move(codes.rgb), {}};
+    });
+    unknown_tag = std::move(read.unknown_tag);
+    image = {read.width, read.height, std::move(read.rgb)};
   } catch (const std::exception& fault) {
     throw ReadError(name.where, fmt::format("\"{}\" cannot be read", file.string()), fault.what(),
                     "Write the image again, as PNG or EXR");

@@ -10,7 +10,10 @@
 #include <csetjmp>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
+#include <new>
+#include <span>
 #include <stdexcept>
 #include <system_error>
 #include <vector>
@@ -20,6 +23,10 @@ namespace {
 
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+struct FreeMemory {
+  void operator()(void* memory) const { std::free(memory); }
 };
 
 /// libpng's message, copied before it jumps back.
@@ -101,10 +108,14 @@ ReflectanceImage read_png(const std::filesystem::path& path) {
   const std::size_t width = png_get_image_width(handles.png, handles.info);
   const std::size_t height = png_get_image_height(handles.png, handles.info);
   require_image_memory(width, height, 3 * (sizeof(std::uint16_t) + sizeof(float)));
-  std::vector<std::uint16_t> codes(3 * width * height);
+  // Zeros that take memory when they are written to: a small file may declare a large image.
+  const std::unique_ptr<std::uint16_t, FreeMemory> memory(
+      static_cast<std::uint16_t*>(std::calloc(3 * width * height, sizeof(std::uint16_t))));
+  if (!memory) throw std::bad_alloc();
+  const std::span<const std::uint16_t> codes(memory.get(), 3 * width * height);
   std::vector<png_bytep> rows;
   for (std::size_t y = 0; y < height; ++y)
-    rows.push_back(reinterpret_cast<png_bytep>(codes.data() + 3 * width * y));
+    rows.push_back(reinterpret_cast<png_bytep>(memory.get() + 3 * width * y));
   if (!read_rows(handles.png, rows.data())) throw std::runtime_error(error.text.data());
 
   const std::vector<float> linear = decoding_table();

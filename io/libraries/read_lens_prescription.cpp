@@ -132,7 +132,8 @@ const LensKeyword& find_keyword(const Token& token) {
 /// A plane that only limits the beam: nobody has to grind it.
 bool is_diaphragm(const LensFile& file, std::size_t i) {
   const auto& surfaces = file.lens.surfaces;
-  const Dispersion before = i == 0 ? Dispersion(ConstantIndex{1.0}) : surfaces[i - 1].medium_after;
+  const Dispersion air = ConstantIndex{1.0};
+  const Dispersion& before = i == 0 ? air : surfaces[i - 1].medium_after;
   return before == surfaces[i].medium_after;
 }
 

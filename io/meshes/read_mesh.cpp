@@ -1,4 +1,4 @@
-// A mesh of triangles in a file of its own, OBJ or PLY:
+// A mesh of triangles in a file of its own, OBJ, PLY or STL:
 //
 //   mesh bunny.ply
 
@@ -8,11 +8,13 @@
 #include "io/meshes/polygons.h"
 #include "io/meshes/read_obj.h"
 #include "io/meshes/read_ply.h"
+#include "io/meshes/read_stl.h"
 #include "spectral/data_table.h"
 
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <utility>
 
 namespace abbe {
 namespace {
@@ -25,7 +27,7 @@ std::string content_of(const Token& name, const fs::path& file) {
     return read_regular_file(file);
   } catch (const std::runtime_error& fault) {
     throw ReadError(name.where, fmt::format("\"{}\" cannot be read", file.string()), fault.what(),
-                    "Give a file of triangles or polygons, as OBJ or PLY");
+                    "Give a file of triangles or polygons, as OBJ, PLY or STL");
   }
 }
 
@@ -51,8 +53,32 @@ std::string changes(const MendedMesh& mended) {
   return list;
 }
 
-MendedMesh mesh_of(const std::string& content, const fs::path& file, bool obj, const Warn& warn) {
-  const Polygons polygons = obj ? read_obj(content, file, warn) : read_ply(content, file);
+Polygons polygons_of(std::string_view bytes, const fs::path& file, MeshFormat format,
+                     const Warn& warn) {
+  switch (format) {
+  case MeshFormat::obj:
+    return read_obj(bytes, file, warn);
+  case MeshFormat::ply:
+    return read_ply(bytes, file);
+  case MeshFormat::stl:
+    return read_stl(bytes, file);
+  }
+  return {};
+}
+
+} // namespace
+
+std::optional<MeshFormat> mesh_format(const fs::path& file) {
+  const std::string extension = file.extension().string();
+  for (const auto& [known, format] :
+       {std::pair(".obj", MeshFormat::obj), {".ply", MeshFormat::ply}, {".stl", MeshFormat::stl}})
+    if (same_name(extension, known)) return format;
+  return std::nullopt;
+}
+
+MendedMesh mesh_of(std::string_view bytes, const fs::path& file, MeshFormat format,
+                   const Warn& warn) {
+  const Polygons polygons = polygons_of(bytes, file, format, warn);
   MendedMesh mended = close_mesh({polygons.vertices, triangles_of(polygons, file, warn)});
   if (const std::string list = changes(mended); !list.empty())
     warn(fmt::format("{}: the mesh has been mended, so that it bounds a solid: {}", file.string(),
@@ -60,15 +86,13 @@ MendedMesh mesh_of(const std::string& content, const fs::path& file, bool obj, c
   return mended;
 }
 
-} // namespace
-
 const MendedMesh& read_mesh(Arguments& arguments, MeshFiles& files, const Warn& warn) {
   const Token name = arguments.name_token("the name of a file");
   const fs::path file = fs::path(name.where.file).parent_path() / name.text;
-  const bool obj = same_name(file.extension().string(), ".obj");
-  if (!obj && !same_name(file.extension().string(), ".ply"))
+  const std::optional<MeshFormat> format = mesh_format(file);
+  if (!format)
     throw ReadError(name.where, fmt::format("{} is no mesh", shown(name)),
-                    "its name ends neither in .obj nor in .ply",
+                    "its name ends neither in .obj nor in .ply nor in .stl",
                     "Give a file of one of these formats");
   std::error_code error;
   const fs::path key = fs::canonical(file, error);
@@ -79,7 +103,7 @@ const MendedMesh& read_mesh(Arguments& arguments, MeshFiles& files, const Warn& 
   if (const auto known = files.find(key); known != files.end()) return known->second;
   const std::string content = content_of(name, file);
   try {
-    return files.emplace(key, mesh_of(content, file, obj, warn)).first->second;
+    return files.emplace(key, mesh_of(content, file, *format, warn)).first->second;
   } catch (const ReadError& fault) {
     throw fault.with(fmt::format(" [mesh at {}]", to_string(name.where)));
   } catch (const std::invalid_argument& fault) {

@@ -56,14 +56,16 @@ void check_outputs(const Outputs& outputs, std::span<const fs::path> inputs) {
   check_extensions(outputs);
   std::vector<fs::path> all = outputs.images;
   if (outputs.spectral) all.push_back(*outputs.spectral);
+  if (outputs.state) all.push_back(*outputs.state);
   std::set<fs::path> places;
   for (const fs::path& path : all) {
     check_place(path);
     if (!places.insert(fs::weakly_canonical(fs::absolute(path))).second)
-      throw UserError(fmt::format("{}: two pictures would have this name", path.string()));
-    check_against(path, inputs, "this picture");
+      throw UserError(fmt::format("{}: two outputs would have this name", path.string()));
+    check_against(path, inputs, path == outputs.state ? "this state" : "this picture");
   }
-  check_against(partial_path(outputs), inputs, "what an interrupted render leaves");
+  if (!outputs.images.empty())
+    check_against(partial_path(outputs), inputs, "what an interrupted render leaves");
 }
 
 } // namespace abbe

@@ -1,6 +1,7 @@
 #include "io/outputs/write_outputs.h"
 
 #include "core/image/develop.h"
+#include "core/image/metadata.h"
 #include "io/console/terminal.h"
 #include "io/images/write_exr.h"
 #include "io/outputs/picture_warnings.h"
@@ -40,9 +41,13 @@ bool write_outputs(const Rendering& rendering, const Plan& plan, const Outputs& 
     all = write_all(false, {}, display_picture(rendering, plan, display_settings)) && all;
   if (!outputs.spectral) return all;
   const auto write_spectral = [&] {
-    write_spectral_exr(
-        *outputs.spectral, rendering.film.window(),
-        [&](const PixelWindow& rows) { return develop_spectral(rendering.film, plan, rows); });
+    const Metadata lost = lost_metadata(rendering.film); // found once, not for each block of rows
+    const auto develop = [&](const PixelWindow& rows) {
+      SpectralImage image = develop_spectral(rendering.film, plan, rows);
+      image.metadata.insert(image.metadata.end(), lost.begin(), lost.end());
+      return image;
+    };
+    write_spectral_exr(*outputs.spectral, rendering.film.window(), develop);
     return std::string();
   };
   return write_each({{*outputs.spectral, write_spectral}}, quiet) && all;

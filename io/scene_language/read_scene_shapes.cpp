@@ -3,7 +3,10 @@
 //   sphere
 //   push translate 3 0 0 scale 1 2 1 cube pop
 
+#include "geometry/meshes/overlap.h"
 #include "io/scene_language/read_scene_state.h"
+
+#include <fmt/format.h>
 
 #include <array>
 #include <utility>
@@ -57,6 +60,15 @@ void read_flat(SceneState& state, Arguments& arguments) {
   place_shape(state, arguments.keyword().where, S{}, state.transform, state.material);
 }
 
+/// Bodies that overlap have faces inside of each other, at which glass would bend light.
+void warn_of_overlap(const SourcePosition& where, const Mesh& mesh, const Warn& warn) {
+  const auto place = find_overlap(mesh);
+  if (!place) return;
+  warn(fmt::format("{}: bodies of the mesh overlap, as at ({:g} {:g} {:g}), and glass bends light "
+                   "at their faces there. Give each body a file of its own, so that they are one",
+                   to_string(where), place->x, place->y, place->z));
+}
+
 void read_triangles(SceneState& state, Arguments& arguments) {
   const SourcePosition& where = arguments.keyword().where;
   if (state.boolean)
@@ -66,6 +78,8 @@ void read_triangles(SceneState& state, Arguments& arguments) {
   const MendedMesh& read = read_mesh(arguments, state.meshes, state.warn);
   if (!read.mesh.is_closed() && needs_inside(state.scene, state.material))
     throw open_mesh_error(where, read.open);
+  if (needs_inside(state.scene, state.material) && state.filled_meshes.insert(&read).second)
+    warn_of_overlap(where, read.mesh, state.warn);
   place_shape(state, where, read.mesh, state.transform, state.material);
 }
 

@@ -13,6 +13,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -78,8 +79,9 @@ struct SceneState {
   Scene& scene = builder.scene(); ///< for what stands for itself, such as the camera
   SceneLibraries libraries;
   MeshFiles meshes;
-  GivenKeywords given; ///< those of the whole scene that may have no effect
-  InputFiles files;    ///< all that have been read but the libraries
+  std::set<const MendedMesh*> filled_meshes; ///< those of glass, which have been looked at once
+  GivenKeywords given;                       ///< those of the whole scene that may have no effect
+  InputFiles files;                          ///< all that have been read but the libraries
   Warn warn;
 
   Transform transform;

@@ -46,7 +46,7 @@ std::vector<std::string> similar_names(std::string_view wanted,
   std::multimap<std::size_t, std::string> found; // those of one rank stay in their order
   for (const std::string& name : known) {
     const std::string candidate = lower_case(name);
-    const auto [shorter, longer] = std::minmax(target.size(), candidate.size());
+    const auto [shorter, longer] = std::minmax({target.size(), candidate.size()});
     const std::size_t distance = longer - shorter > near // each letter too many is a step
                                      ? longer
                                      : edit_distance(target, candidate);

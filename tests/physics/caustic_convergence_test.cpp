@@ -36,6 +36,7 @@ std::vector<double> splats(const Scene& scene, const Plan& plan, const World& wo
     if (const auto ray = emission.lights().at(0).sample(sampler))
       paths.trace(*ray, sampler, 1.0 / count, nullptr, 0.0, counts);
   }
+  paths.add_splats();
   film.add_light_passes(1.0);
   std::vector<double> result;
   for (int y = 0; y < 8; ++y)

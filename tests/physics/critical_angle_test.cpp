@@ -1,6 +1,8 @@
 #include "core/optics/fresnel.h"
+#include "geometry/world/world.h"
+#include "io/selftest/expected_index.h"
+#include "spectral/fraunhofer.h"
 #include "tests/catch.h"
-#include "tests/physics/refraction.h"
 
 #include <cmath>
 #include <numbers>
@@ -9,7 +11,7 @@ using namespace abbe;
 
 namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
-const double kBk7 = test::glass_index("N-BK7", kLineD_nm);
+const double kBk7 = catalogue_index("N-BK7", kLineD_nm);
 } // namespace
 
 // sin(critical) = 1 / n. 41.2452 deg for N-BK7 at the d line, computed outside this project.
@@ -55,7 +57,7 @@ TEST_CASE("at Brewster's angle half of the perpendicular polarisation's light is
 TEST_CASE("Fresnel's reflectance has its closed-form values") {
   CHECK(fresnel_reflectance(1.0, kBk7) == Approx(0.042165).margin(1e-6));
   CHECK(fresnel_reflectance(1.0, 1.0 / kBk7) == Approx(0.042165).margin(1e-6));
-  const double n = test::glass_index("N-BK7", 380.0);
+  const double n = catalogue_index("N-BK7", 380.0);
   CHECK(fresnel_reflectance(0.5, n) ==
         Approx(0.5 * (0.188095790383 + 0.001348077240)).margin(1e-9));
   CHECK(fresnel_reflectance(0.3, 1.0) < 1e-30); // equal indices: nothing is reflected

@@ -1,5 +1,5 @@
+#include "io/selftest/single_ray.h"
 #include "tests/catch.h"
-#include "tests/physics/refraction.h"
 #include "tests/render_text.h"
 
 #include <cmath>
@@ -70,9 +70,9 @@ TEST_CASE("shells of rising index turn a ray as Snell's law says, however many")
     const World world = ball_of(shells);
     for (const double b : {0.01, 0.05, 0.2, 0.5, 0.8}) {
       CAPTURE(count, b);
-      const Ray out =
-          test::through_glass(world, {{b, 0.0, -5.0}, {0.0, 0.0, 1.0}},
-                              [&](MediumId id) { return id.valid() ? shells[id.index()].n : 1.0; });
+      const Ray out = refracted_through(world, {{b, 0.0, -5.0}, {0.0, 0.0, 1.0}}, [&](MediumId id) {
+                        return id.valid() ? shells[id.index()].n : 1.0;
+                      }).ray;
       const double angle = std::atan2(-out.direction.x, out.direction.z);
       CHECK(angle == Approx(turned(shells, b)).margin(1e-12));
     }

@@ -1,7 +1,7 @@
-#include "spectral/glass.h"
+#include "io/selftest/expected_index.h"
+#include "io/selftest/newton_rows.h"
 #include "spectral/observer.h"
 #include "tests/catch.h"
-#include "tests/physics/newton_scene.h"
 #include "tests/render_text.h"
 
 #include <cmath>
@@ -22,11 +22,11 @@ constexpr double kReflectance = 0.78;
 /// Three surfaces at most: no light that was thrown back inside the prism reaches the wall.
 Rendering wall_seen_straight_on() {
   const double view = 2.0 * std::atan(0.5 * kHeight / kDistance) * 180.0 / std::numbers::pi;
-  Scene scene = test::scene_from(
-      std::string(test::kNewtonScene) + "eye " + std::to_string(test::kNewtonWall - kDistance) +
-      " " + std::to_string(kMiddle) + " 0 lookAt " + std::to_string(test::kNewtonWall) + " " +
-      std::to_string(kMiddle) +
-      " 0 maxRecursionDepth 3 filter tent samples 1 lightPaths 136 jitter off");
+  Scene scene =
+      test::scene_from(newton_scene() + "eye " + std::to_string(kNewtonWall - kDistance) + " " +
+                       std::to_string(kMiddle) + " 0 lookAt " + std::to_string(kNewtonWall) + " " +
+                       std::to_string(kMiddle) +
+                       " 0 maxRecursionDepth 3 filter tent samples 1 lightPaths 136 jitter off");
   scene.camera.field_of_view_deg = view;
   scene.settings.width = kColumns;
   scene.settings.height = kRows;
@@ -44,8 +44,7 @@ TEST_CASE("Newton's spectrum in the image: place, flux and colour of all bands")
   Xyz seen_xyz{}, exact_xyz{}, film_xyz{};
   for (int b = 0; b < 81; ++b) {
     const double nm = 380.0 + 5.0 * b;
-    const test::NewtonArrival arrival =
-        test::newton_arrival(refractive_index(find_glass("SF11")->dispersion, nm));
+    const NewtonArrival arrival = newton_arrival(catalogue_index("SF11", nm));
     double flux = 0.0, moment = 0.0;
     for (int y = 0; y < kRows; ++y)
       for (int x = 0; x < kColumns; ++x) {
@@ -58,7 +57,7 @@ TEST_CASE("Newton's spectrum in the image: place, flux and colour of all bands")
     CHECK(moment / flux == Approx(row).margin(0.5));
     if (b > 0) CHECK(std::abs(row - last_row) >= 0.3);
     last_row = row;
-    const double expected = test::kNewtonBeam * arrival.transmittance;
+    const double expected = newton_beam() * arrival.transmittance;
     CHECK(flux == Approx(expected).epsilon(0.05)); // each band has a tenth of the paths
     seen += flux;
     exact += expected;

@@ -39,7 +39,7 @@ TEST_CASE("Names are compared without regard to case") {
 }
 
 TEST_CASE("The tables are compiled in, comment line first") {
-  CHECK(embedded_tables().size() == 49);
+  CHECK(embedded_tables().size() == 54);
   for (const EmbeddedTable& table : embedded_tables()) {
     INFO(table.file_name);
     CHECK(table.text.starts_with("# "));

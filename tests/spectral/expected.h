@@ -11,7 +11,8 @@
 
 namespace abbe::test {
 
-/// A table of expected values from tests/spectral/data/, with the text its fields point into.
+/// A table of expected values from tests/spectral/data/, or from spectral/data/expected/ if the
+/// program itself shows them too (`abbe selftest`), with the text its fields point into.
 class Expected {
 public:
   explicit Expected(const std::string& file_name) : text_(read(file_name)), table_(text_) {}
@@ -30,6 +31,7 @@ public:
 private:
   static std::string read(const std::string& file_name) {
     std::ifstream file(ABBE_SOURCE_DIR "/tests/spectral/data/" + file_name);
+    if (!file) file.open(ABBE_SOURCE_DIR "/spectral/data/expected/" + file_name);
     if (!file) throw std::runtime_error("cannot read " + file_name);
     std::ostringstream text;
     text << file.rdbuf();

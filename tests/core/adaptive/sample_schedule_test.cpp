@@ -85,6 +85,18 @@ TEST_CASE("light paths come for 16 samples at a time, however short the passes")
   CHECK(SampleSchedule(settings(4096, kOn, 1.0)).end_of_light_pass(1, 2) == 2);
 }
 
+TEST_CASE("light paths are followed for as many samples as there is time for, and at least one") {
+  const auto end = [](double seconds, double seconds_left) {
+    return SampleSchedule::end_in_time({16, 32}, seconds, seconds_left);
+  };
+  CHECK(end(8.0, 100.0) == 32);
+  CHECK(end(8.0, 2.25) == 20);
+  CHECK(end(8.0, 0.25) == 17);
+  CHECK(end(8.0, 0.0) == 17);
+  CHECK(end(0.0, 1.0) == 32);
+  CHECK(end(0.0, 0.0) == 32);
+}
+
 TEST_CASE("tiles may end at 64, 96, 128, 192 ... samples") {
   const SampleSchedule schedule(settings(4096, kOff));
   Ends ends;

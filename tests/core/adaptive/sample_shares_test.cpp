@@ -129,16 +129,16 @@ TEST_CASE("errors keep their signs on the way from XYZ to red, green and blue") 
   CHECK(right_over_left(find_shares(film, equal_rays())) == Approx(1.0).epsilon(0.03));
 }
 
-// Checks of four pixels, 1 and 3, without noise: next to a border a pixel's neighbours have a
+// Checks of eight pixels, 1 and 3, without noise: next to a border a pixel's neighbours have a
 // variance of samples though none of their own. Within them the share is the least there is.
 TEST_CASE("neighbours that differ show an edge") {
   const Film film =
-      greys([](int x, int y) { return (x / 4 + y / 4) % 2 == 0 ? 1.0 : 3.0; },
-            [](int x, int y) { return (x % 4 % 3 == 0 || y % 4 % 3 == 0) ? 0.1 : 0.0; });
+      greys([](int x, int y) { return (x / 8 + y / 8) % 2 == 0 ? 1.0 : 3.0; },
+            [](int x, int y) { return (x % 8 % 7 == 0 || y % 8 % 7 == 0) ? 0.1 : 0.0; });
   const auto shares = find_shares(film, equal_rays());
   const auto at = [&](int x, int y) { return shares[static_cast<std::size_t>(y * kWidth + x)]; };
-  CHECK(at(12, 13) > 2.0 * kSmallestShare); // at a border between columns 11 and 12
-  CHECK(at(12, 13) > at(13, 13));
+  CHECK(at(16, 20) > 2.0 * kSmallestShare); // at a border between columns 15 and 16
+  CHECK(at(16, 20) > at(19, 20));
 }
 
 // Six by six pixels. Those beside them have seen some of it, those far from it nothing.
@@ -163,6 +163,20 @@ TEST_CASE("one bright sample by chance decides nothing") {
   const auto shares = find_shares(film, equal_rays());
   CHECK(shares[20 * kWidth + 30] <= 1.1f * (1.0f + static_cast<float>(kSmallestShare)));
   CHECK(shares[20 * kWidth + 31] == 0.0f);
+}
+
+// With errors a and b of two halves, of mean 1, samples in proportion to a + 0.35 and b + 0.35
+// leave 1.35 (a^2 / (a + 0.35) + b^2 / (b + 0.35)) / (a^2 + b^2) of the squared error of equal
+// numbers: 0.92 for 0.7 and 1.3, and 0.87 for 0.6 and 1.4.
+TEST_CASE("shares that promise less than a tenth of the error are not worth their noise") {
+  const auto shares = [](double a, double b) {
+    const Film film = greys(one, [&](int x, int) { return 0.1 * (left(x) ? a : b); });
+    return find_shares(film, equal_rays());
+  };
+  for (const float share : shares(0.7, 1.3))
+    REQUIRE(share == 0.0f);
+  for (const float share : shares(0.6, 1.4))
+    REQUIRE(share > 0.0f);
 }
 
 TEST_CASE("where there is no noise at all there are no shares") {

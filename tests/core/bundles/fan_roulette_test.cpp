@@ -100,18 +100,18 @@ TEST_CASE("tolerance comes before roulette: cells that may be shared are all kep
 // is taken for each seed; over the seeds it must be 0 within its own standard error, for all of
 // them at once (z-test, Sidak, alpha = 1 %).
 TEST_CASE("roulette is unbiased against --exact, band by band") {
-  constexpr int kSeeds = 160, kBands = 81;
-  constexpr std::size_t kLuminance = kBands; // the last of the means
-  std::vector<double> sum(kBands + 1), squares(kBands + 1), exact_mean(kBands + 1);
+  constexpr int kSeeds = 160, kBandCount = 81;
+  constexpr std::size_t kLuminance = kBandCount; // the last of the means
+  std::vector<double> sum(kBandCount + 1), squares(kBandCount + 1), exact_mean(kBandCount + 1);
   for (int seed = 0; seed < kSeeds; ++seed) {
     const auto image_means = [&](bool exact) {
       Scene scene = fringes(4, exact, "tolerance 0 samples 4");
       scene.settings.seed = static_cast<std::uint64_t>(seed);
       const Film film = test::render_scene(scene, true).film;
-      std::vector<double> means(kBands + 1);
+      std::vector<double> means(kBandCount + 1);
       for (int y = 0; y < 6; ++y)
         for (int x = 0; x < 6; ++x) {
-          for (int b = 0; b < kBands; ++b)
+          for (int b = 0; b < kBandCount; ++b)
             means[static_cast<std::size_t>(b)] += film.radiance(x, y, b) / 36.0;
           means[kLuminance] += film.color(x, y).y / 36.0;
         }
@@ -125,7 +125,7 @@ TEST_CASE("roulette is unbiased against --exact, band by band") {
       exact_mean[i] += exact[i] / kSeeds;
     }
   }
-  const double limit = sidak_quantile(0.01, kBands + 1);
+  const double limit = sidak_quantile(0.01, kBandCount + 1);
   CHECK(limit == Approx(3.84).margin(0.02));
   double worst = 0.0;
   std::vector<double> relative_error;

@@ -108,11 +108,11 @@ TEST_CASE("a layer of colours keeps its first stratum, each its own") {
 
 TEST_CASE("splats are rounded up in proportion to what is above a whole quantum") {
   Film film({0, 0, 1, 1}, beauty_layers({.quantum = 1.0, .splats = true}));
-  constexpr int kSplats = 1000;
-  for (int i = 0; i < kSplats; ++i)
-    film.add_splat(0, 0, {0.25, 1.0, 2.5}, {}, (i + 0.5) / kSplats);
-  film.add_light_passes(kSplats);
+  constexpr int kSplatCount = 1000;
+  for (int i = 0; i < kSplatCount; ++i)
+    film.add_splat(0, 0, {0.25, 1.0, 2.5}, {}, (i + 0.5) / kSplatCount);
+  film.add_light_passes(kSplatCount);
   CHECK(film.color(0, 0).x == 0.25);
   CHECK(film.color(0, 0).y == 1.0);
-  CHECK(film.color(0, 0).z == Approx(2.5).margin(2.0 / kSplats));
+  CHECK(film.color(0, 0).z == Approx(2.5).margin(2.0 / kSplatCount));
 }

@@ -31,10 +31,10 @@ TEST_CASE("phase functions are there for the lamps there are") {
     return plan_of("bands 3 " + lamps + " drops 1 cube").media.at(0).drops.value();
   };
   CHECK_FALSE(drops("").under_sun);
-  CHECK_FALSE(drops("").under_lamp);
+  CHECK_FALSE(drops("").near_light);
   CHECK(drops("light E 0 1 0 0").under_sun);
-  CHECK_FALSE(drops("light E 0 1 0 0").under_lamp);
-  CHECK(drops("light E 0 1 0 1").under_lamp);
+  CHECK_FALSE(drops("light E 0 1 0 0").near_light);
+  CHECK(drops("light E 0 1 0 1").near_light);
   CHECK_FALSE(drops("light E 0 1 0 1").under_sun);
 }
 

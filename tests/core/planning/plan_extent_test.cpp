@@ -1,5 +1,10 @@
 #include "core/planning/plan_extent.h"
+
+#include "core/planning/make_plan.h"
 #include "tests/catch.h"
+#include "tests/render_text.h"
+
+#include <string>
 
 using namespace abbe;
 using Catch::Matchers::ContainsSubstring;
@@ -42,4 +47,21 @@ TEST_CASE("a scene too small for single precision is refused") {
   CHECK_NOTHROW(check_extent(scene)); // the camera is 5 away
   scene.camera.eye = {0.0, 0.0, 5e-40};
   CHECK_THROWS_WITH(check_extent(scene), ContainsSubstring("smaller units"));
+}
+
+// The brightest of these lights is 1e15: between 2^49 and 2^50. Half of the quantum is 2^12 = 4096.
+TEST_CASE("a light that the film has no numbers for is told") {
+  const auto notes = [](const std::string& lights) {
+    const Scene scene = test::scene_from(lights + " sphere");
+    std::string all;
+    for (const std::string& note : make_plan(scene, scene.settings).notes)
+      all += note + "\n";
+    return all;
+  };
+  CHECK(notes("light E 2 3 4 1 light E 2 3 -4 1").find("fainter") == std::string::npos);
+  const std::string told = notes("light E 2 3 4 1 intensity 1e15 light E 2 3 -4 1");
+  CHECK(told.find("light number 1 is fainter than 2^-37 of the brightest") != std::string::npos);
+  CHECK(told.find("light number 2") == std::string::npos);
+  CHECK(notes("intensity 1e5 light E 2 3 4 1 intensity 1e15 light E 2 3 -4 1").find("fainter") ==
+        std::string::npos);
 }

@@ -144,6 +144,15 @@ TEST_CASE("light paths are followed for as many samples as without adaptive samp
         Approx(static_cast<double>(uniform.rays.light)).epsilon(0.02));
 }
 
+// One sample everywhere must be finished, and the light paths it needs. No more of them are begun.
+TEST_CASE("time that is up at once leaves the light paths of one sample") {
+  Scene scene = glass();
+  scene.settings.seconds = 1e-9;
+  const Rendering r = test::render_scene(scene, false);
+  CHECK(r.film.light_passes() == 1.0);
+  CHECK(r.film.samples(0, 0) == 1);
+}
+
 // Photon maps are shared by pixels. With other light paths the maps are other maps.
 TEST_CASE("light paths do not decide where samples go") {
   Scene scene = glass();

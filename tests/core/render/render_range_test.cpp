@@ -126,6 +126,61 @@ TEST_CASE("films of ranges that were rendered apart merge into that of all sampl
   check_same(early.film, whole.film);
 }
 
+// Samples of several parts need one light pass, and samples of one part need several.
+TEST_CASE("the films of all parts of a rendering merge into that of the whole") {
+  for (const char* settings :
+       {"integrator whitted", "integrator path", "integrator path aperture 0.2 focusDistance 5",
+        "integrator path photonRadius 0.05"})
+    for (const int samples : {24, 40}) {
+      const Stage s = stage(glass(settings), samples);
+      const RenderState whole = s.all();
+      for (const int count : {2, 3, 5, 24}) {
+        INFO(settings << ", " << samples << " samples in " << count << " parts");
+        RenderState sum = s.begin();
+        for (int number = count; number-- > 0;) {
+          const RenderPart part{number, count};
+          RenderState state = begin_rendering(s.scene, s.plan, BandPlace{}, part);
+          CHECK(s.render_range(samples_of(part, samples), state));
+          merge(sum.film, state.film);
+          sum.rays += state.rays;
+          CHECK((whole.light.passes == 0 || state.light.first_radius == whole.light.first_radius));
+        }
+        sum.done = samples;
+        check_same(sum, whole);
+      }
+    }
+}
+
+TEST_CASE("a part that was stopped goes on as if it had not been") {
+  const Stage s = stage(glass("integrator path"), 40);
+  const RenderPart part{2, 3};
+  const SampleRange range = samples_of(part, 40);
+  RenderState once = begin_rendering(s.scene, s.plan, BandPlace{}, part);
+  CHECK(s.render_range(range, once));
+  RenderState state = begin_rendering(s.scene, s.plan, BandPlace{}, part);
+  std::atomic<bool> stop = true;
+  CHECK_FALSE(s.render_range(range, state, {.stop = &stop}));
+  stop = false;
+  int pauses = 0;
+  while (!s.render_range(range, state, {.pause_after = 0.002}) && pauses < 10000)
+    ++pauses;
+  CHECK(pauses > 0);
+  check_same(state, once);
+}
+
+TEST_CASE("a sample belongs to the part whose range holds it") {
+  for (const int samples : {1, 7, 16, 40})
+    for (int count = 1; count <= samples; ++count)
+      for (int number = 0; number < count; ++number) {
+        const SampleRange range = samples_of({number, count}, samples);
+        CHECK(range.first < range.last);
+        CHECK((number > 0 || range.first == 0));
+        CHECK((number + 1 < count || range.last == samples));
+        for (int sample = range.first; sample < range.last; ++sample)
+          CHECK(part_of_sample(sample, count, samples) == number);
+      }
+}
+
 TEST_CASE("a rendering that was stopped goes on as if it had not been") {
   struct Case {
     const char* settings;
@@ -162,6 +217,26 @@ TEST_CASE("a rendering that was stopped goes on as if it had not been") {
     check_same(state, whole);
   }
   CHECK(stops > 4);
+}
+
+// Between mirrors that lose nothing a light path ends by no rule of its own.
+TEST_CASE("a light path that never ends is given up when the rendering is stopped") {
+  const Stage s = stage(test::scene_from("integrator path caustics on imageSize 8 8 bands 5\n"
+                                         "eye 0.1 0.2 0.3 lookAt 0 0 -1\n"
+                                         "falloff square light 0.2 0 0 1 1 1\n"
+                                         "ambient 0 0 0 diffuse 0 0 0 fresnel off reflectivity 1\n"
+                                         "sphere\n"),
+                        16);
+  REQUIRE(s.plan.caustics);
+  RenderState state = s.begin();
+  std::atomic<bool> stop = false;
+  const std::jthread stopper([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    stop = true;
+  });
+  CHECK_FALSE(s.render_range({0, 16}, state, {.stop = &stop}));
+  CHECK(state.film.light_passes() == 0.0); // nothing of a chunk that was given up
+  CHECK(state.rays.total() == 0);
 }
 
 TEST_CASE("a rendering in one call is that of all samples") {

@@ -90,9 +90,9 @@ private:
     const bool back = !hit.entering && random_.chance(0.95);
     dvec3 d = state.ray.direction;
     if (back) d -= 2.0 * glm::dot(d, hit.normal) * hit.normal;
-    const dvec3 other = random_.chance(0.5)
-                            ? glm::normalize(target() - hit.point)
-                            : glm::normalize(d + random_.in_cube(random_.chance(0.5) ? 0.01 : 1.0));
+    dvec3 other = random_.chance(0.5) ? target() - hit.point
+                                      : d + random_.in_cube(random_.chance(0.5) ? 0.01 : 1.0);
+    other = other == dvec3(0.0) ? d : glm::normalize(other); // the target may be where it is
     if (glm::dot(other, hit.normal) * glm::dot(d, hit.normal) > 0.0) d = other;
     return {{hit.point, glm::normalize(d)},
             back ? hit.same_side : hit.other_side,

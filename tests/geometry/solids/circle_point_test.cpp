@@ -30,11 +30,15 @@ TEST_CASE("small angles keep their relative precision") {
     CHECK(std::abs(small_angle_point(a).y / std::sin(a) - 1.0) < 4e-16);
 }
 
-TEST_CASE("the cosine after some turns is that of the circle's point") {
+TEST_CASE("the sine after some turns is that of the circle's point, without its sign") {
   const long double turn = 2.0L * std::numbers::pi_v<long double>;
   for (int i = -9000; i <= 9000; ++i) {
     const double turns = i / 3000.0 + (i % 11) * 1e-6;
     CAPTURE(turns);
-    CHECK(std::abs(cosine_of_turns(turns) - static_cast<double>(std::cos(turn * turns))) < 1e-15);
+    CHECK(std::abs(sine_of_turns(turns) - std::abs(static_cast<double>(std::sin(turn * turns)))) <
+          1e-15);
   }
+  for (double turns = 0.1; turns > 1e-300; turns *= 0.3) // the relative precision, too
+    CHECK(sine_of_turns(-turns) ==
+          Approx(static_cast<double>(std::sin(turn * turns))).epsilon(1e-15));
 }

@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 using namespace abbe;
 using Catch::Matchers::ContainsSubstring;
@@ -26,11 +27,28 @@ std::string said(std::uint64_t need, std::optional<double> limit_gib) {
 } // namespace
 
 TEST_CASE("a picture that needs more memory than the limit is refused, with both figures") {
-  CHECK(said(3 * kGiB, 3.0).empty());
+  CHECK(said(3 * kGiB, 4.0).empty());
   CHECK_THAT(said(3 * kGiB, 2.5), ContainsSubstring("needs 3.0 GiB of memory") &&
                                       ContainsSubstring("the limit is 2.5 GiB") &&
                                       ContainsSubstring("--limit-memory sets"));
   CHECK_THAT(said(3 * kGiB, 0.25), ContainsSubstring("the limit is 256 MiB"));
+}
+
+TEST_CASE("what the process holds already counts against a limit that the user gives") {
+  const std::uint64_t before = memory_in_use();
+  CHECK(before > 0);
+  constexpr std::size_t kMore = 1 << 26;
+  const std::vector<char> more(kMore, 'x');
+  CHECK(memory_in_use() >= before + kMore * 9 / 10);
+  const std::uint64_t held = memory_in_use(), need = kGiB;
+  const auto gib = [](std::uint64_t bytes) {
+    return static_cast<double>(bytes) / static_cast<double>(kGiB);
+  };
+  CHECK(said(need, gib(need + 2 * held)).empty());
+  CHECK_THAT(said(need, gib(need + held / 2)),
+             ContainsSubstring("the scene takes") &&
+                 ContainsSubstring("of memory and the picture needs 1.0 GiB more"));
+  CHECK(more.back() == 'x');
 }
 
 TEST_CASE("without a limit it is what the machine has left") {

@@ -3,7 +3,9 @@
 #include "tests/catch.h"
 #include "tests/io/temporary_folder.h"
 
+#include <fcntl.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -65,6 +67,32 @@ TEST_CASE("two writers of one target have different temporaries") {
   });
   CHECK(content(target) == "outer");
   CHECK(folder.file_count() == 1);
+}
+
+TEST_CASE("what killed processes of this machine have left is removed, and nothing else") {
+  const Folder folder;
+  std::string host(65, '\0');
+  REQUIRE(::gethostname(host.data(), host.size()) == 0);
+  host.resize(host.find('\0'));
+  const fs::path abandoned = folder.path / (".abbe-" + host + "-1-0.tmp");
+  const fs::path in_use = folder.path / (".abbe-" + host + "-2-0.tmp");
+  const fs::path of_another = folder.path / (".abbe-" + host + "2-1-0.tmp");
+  const fs::path of_the_user = folder.path / "abbe-notes.tmp";
+  for (const fs::path& path : {abandoned, in_use, of_another, of_the_user})
+    put(path, "some bytes");
+  const int file = ::open(in_use.c_str(), O_RDONLY);
+  REQUIRE(::flock(file, LOCK_EX) == 0); // as a process that is writing it does
+
+  const auto write = [&](const fs::path& temporary) { put(temporary, "new"); };
+  replace_file(folder.path / "picture.exr", write);
+  CHECK_FALSE(fs::exists(abandoned));
+  CHECK(content(in_use) == "some bytes");
+  CHECK(content(of_another) == "some bytes");
+  CHECK(content(of_the_user) == "some bytes");
+  ::close(file);
+  replace_file(folder.path / "picture.exr", write);
+  CHECK_FALSE(fs::exists(in_use));
+  CHECK(folder.file_count() == 3);
 }
 
 TEST_CASE("a failed write keeps the old file, removes the temporary and says why") {

@@ -1,5 +1,6 @@
 #include "io/images/read_environment.h"
 
+#include "io/images/read_exr.h"
 #include "io/images/write_exr.h"
 #include "spectral/illuminant.h"
 #include "tests/catch.h"
@@ -72,6 +73,23 @@ struct Pictures {
 };
 
 } // namespace
+
+TEST_CASE("an attribute that declares more bytes than the file has takes no memory") {
+  const Pictures pictures;
+  std::string bytes = test::content(pictures.folder.path / "sky.exr");
+  const std::string attribute = std::string("compression\0compression\0", 24);
+  const std::size_t size = bytes.find(attribute) + attribute.size();
+  REQUIRE(bytes.substr(size, 4) == std::string("\1\0\0\0", 4));
+  bytes.replace(size, 4, "\x7f\x7f\x7f\x7f"); // 2 GiB
+  std::ofstream(pictures.folder.path / "large.exr") << bytes;
+  std::string message;
+  try {
+    (void)read_exr_image(pictures.folder.path / "large.exr");
+  } catch (const std::runtime_error& error) {
+    message = error.what();
+  }
+  CHECK(message == "an attribute of its header is cut off");
+}
 
 TEST_CASE("an environment is an image with its colours") {
   Pictures pictures;

@@ -148,13 +148,12 @@ TEST_CASE("glass in an open mesh is an error that says where it is open, and wha
 
 TEST_CASE("errors of meshes") {
   Folder folder;
-  folder.write("cube.stl", "solid");
+  folder.write("cube.off", "solid");
   folder.write("bad.ply", "this is no ply file");
   folder.write("points.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
-  CHECK(
-      folder.error("mesh cube.stl") ==
-      "s.sdl:1:6: \"cube.stl\" is no mesh (its name ends neither in .obj nor in .ply). Give a file "
-      "of one of these formats");
+  CHECK(folder.error("mesh cube.off") == "s.sdl:1:6: \"cube.off\" is no mesh (its name ends "
+                                         "neither in .obj nor in .ply nor in .stl). Give a file "
+                                         "of one of these formats");
   CHECK(folder.error("mesh no.ply") ==
         "s.sdl:1:6: there is no file \"no.ply\" (meshes are found relative to the file that names "
         "them). Check the name, or write the whole path");
@@ -164,7 +163,7 @@ TEST_CASE("errors of meshes") {
   REQUIRE(::mkfifo((folder.path / "pipe.ply").c_str(), 0600) == 0);
   CHECK(folder.error("mesh pipe.ply") ==
         "s.sdl:1:6: \"pipe.ply\" cannot be read (it is a pipe). Give a file of triangles or "
-        "polygons, as OBJ or PLY");
+        "polygons, as OBJ, PLY or STL");
   CHECK(
       folder.error("mesh points.obj") ==
       "s.sdl:1:6: \"points.obj\" holds no surface (there is no triangle with an area). Give a file "

@@ -321,7 +321,7 @@ TEST_CASE("render writes NAME.exr and NAME.tiff where it runs, and tells what it
   const Outcome r = folder.run("render scene.sdl");
   CHECK(r.exit_code == 0);
   CHECK(folder.names() == std::set<std::string>{"scene.sdl", "scene.exr", "scene.tiff"});
-  CHECK(contains(r.out, "plan: 1 shape, 1 lamp, 1 medium (1 dispersive)"));
+  CHECK(contains(r.out, "plan: 1 shape, 1 light, 1 medium (1 dispersive)"));
   CHECK(contains(r.out, "plan: N-BK7: n_d 1.51680, V_d 64.17"));
   CHECK(contains(r.out, "rays: 384 camera")); // 16 x 12 pixels with 2 samples
   CHECK(contains(r.out, "refused samples: 0 not finite, 0 negative, 0 overflow"));
@@ -388,7 +388,7 @@ TEST_CASE("what cannot be written or rendered is told before the work, and nothi
   refuses("-o missing/a.exr", "there is no folder missing");
   refuses("-o folder.exr", "this is a folder");
   refuses("--spectral a.tiff", "all bands go into an EXR");
-  refuses("-o a.exr --spectral ./a.exr", "two pictures would have this name");
+  refuses("-o a.exr --spectral ./a.exr", "two outputs would have this name");
   const Outcome missing = folder.run("render other.sdl");
   CHECK(missing.exit_code == 2);
   CHECK(contains(missing.error, "other.sdl: the file cannot be read"));
@@ -410,7 +410,7 @@ TEST_CASE("plan tells what a scene needs and writes nothing") {
   const Folder folder;
   const Outcome r = folder.run("plan scene.sdl --size 1024x1024");
   CHECK(r.exit_code == 0);
-  CHECK(contains(r.out, "plan: 1 shape, 1 lamp, 1 medium (1 dispersive)"));
+  CHECK(contains(r.out, "plan: 1 shape, 1 light, 1 medium (1 dispersive)"));
   CHECK(contains(r.out, "tiles show the background alone"));
   CHECK(folder.names() == std::set<std::string>{"scene.sdl"});
   CHECK(folder.run("plan scene.sdl --crop 9,9,1,1").exit_code == 2);

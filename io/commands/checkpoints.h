@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/render/render.h"
+#include "io/states/state_info.h"
+
+#include <atomic>
+#include <filesystem>
+#include <optional>
+
+namespace abbe {
+
+/// Where and how often the state of a rendering is kept.
+struct Checkpoints {
+  std::optional<std::filesystem::path> file; ///< empty: nowhere
+  double every_seconds = 600.0;
+};
+
+/// A scene that is ready to be rendered. Keeps references.
+struct RenderJob {
+  const Scene& scene;
+  const Plan& plan;
+  const World& world;
+  const StateInfo& info;
+};
+
+/// What became of it.
+struct CheckpointedRender {
+  bool complete = false; ///< false when it was stopped
+  bool kept = true;      ///< false when the last state could not be kept
+};
+
+/// Renders the range of samples as `render` does, and keeps the state now and then and at the end,
+/// however it ends. While it is written nothing is rendered. Where that fails the user is warned,
+/// the file keeps the state before, and the rendering goes on.
+[[nodiscard]] CheckpointedRender render_with_checkpoints(const RenderJob& job, SampleRange range,
+                                                         RenderState& state,
+                                                         const Checkpoints& checkpoints,
+                                                         const std::atomic<bool>& stop, bool quiet);
+
+} // namespace abbe

@@ -1,0 +1,114 @@
+#include "io/commands/merge_command.h"
+
+#include "core/film/merge_films.h"
+#include "core/planning/make_plan.h"
+#include "core/render/render.h"
+#include "io/commands/kept_state.h"
+#include "io/commands/scene_request.h"
+#include "io/commands/setting_options.h"
+#include "io/console/exit_codes.h"
+#include "io/console/progress.h"
+#include "io/console/terminal.h"
+#include "io/outputs/band_place.h"
+#include "io/outputs/output_effects.h"
+#include "io/outputs/write_outputs.h"
+#include "io/states/check_parts.h"
+#include "io/states/kept_settings.h"
+
+#include <CLI/CLI.hpp>
+
+#include <utility>
+
+namespace abbe {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What all parts say of themselves.
+std::vector<KeptPart> parts_in(const std::vector<fs::path>& files) {
+  std::vector<KeptPart> parts;
+  for (const fs::path& file : files) {
+    const StateReader reader(file);
+    parts.push_back({file, reader.info(), reader.complete()});
+  }
+  return parts;
+}
+
+/// The scene of the parts, with their settings.
+SceneRequest scene_of(const MergeCommand& command, const StateInfo& info, InputFiles& inputs) {
+  SceneRequest request = read_request(command.scene_path.value_or(info.scene), {}, &inputs);
+  request.settings = with_kept(request.settings, info.settings, {});
+  request.settings.samples_per_pixel = info.samples;
+  return request;
+}
+
+/// The sum of all parts, each of which is in memory with the sum, but no two.
+RenderState merged(const std::vector<KeptPart>& parts, const SceneRequest& request,
+                   const Plan& plan, const BandPlace& place) {
+  std::optional<RenderState> sum;
+  for (const KeptPart& part : parts) {
+    StateReader reader(part.file);
+    check_plan(part.file, reader, request.scene, plan);
+    RenderState state = reader.read(place);
+    if (!sum) {
+      sum = std::move(state);
+      continue;
+    }
+    merge(sum->film, state.film);
+    sum->rays += state.rays;
+    sum->seconds += state.seconds;
+    sum->light_seconds += state.light_seconds;
+  }
+  return std::move(*sum);
+}
+
+} // namespace
+
+void add_options(CLI::App& app, MergeCommand& command) {
+  app.add_option("parts", command.parts, "All parts, in any order")->required()->type_name("PART");
+  app.add_option("-o,--output", command.outputs,
+                 "Picture to write (" + known_image_extensions() + "); may be repeated")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("--spectral", command.spectral_output,
+                 "Write all bands into one EXR; the parts must have them")
+      ->type_name("FILE");
+  app.add_option("--scene", command.scene_path,
+                 "The scene, where it is not where the first part was rendered")
+      ->type_name("SCENE");
+  add_settings(app, command.display);
+  add_output_options(app, command.output);
+  app.add_flag("-q,--quiet", command.quiet, "Print warnings and errors only");
+}
+
+int run(const MergeCommand& command) {
+  outlive_readers();
+  const std::vector<KeptPart> parts = parts_in(command.parts);
+  check_parts(parts);
+  const StateInfo& info = parts.front().info;
+  InputFiles inputs;
+  const SceneRequest request = scene_of(command, info, inputs);
+  check_origin(parts.front().file, info, inputs);
+  for (const KeptPart& part : parts)
+    if (part.info.build != info.build)
+      say_warning(part.file.string() + ": another build of this program has rendered this part "
+                                       "than the first; the same bytes are not promised");
+  inputs.insert(inputs.end(), command.parts.begin(), command.parts.end());
+  const Outputs outputs{command.outputs, command.spectral_output, {}};
+  check_outputs(outputs, inputs);
+  warn_of_outputs(command.given, outputs, command.output, say_warning);
+  const Plan plan = make_plan(request.scene, request.settings);
+  if (command.spectral_output && !StateReader(parts.front().file).has_bands())
+    throw UserError("these parts have no bands: they are kept where parts are rendered with "
+                    "--spectral");
+  const BandPlace place = band_place(command.spectral_output.value_or(command.outputs.front()));
+  const Rendering rendering = end_rendering(merged(parts, request, plan, place), plan, true);
+  if (!command.quiet) say(summary(rendering));
+  if (const std::string warning = light_warning(rendering); !warning.empty()) say_warning(warning);
+  const DisplaySettings display = overridden(request.scene.display, command.display);
+  return write_outputs(rendering, plan, outputs, command.output, display, command.quiet)
+             ? 0
+             : kExitFailure;
+}
+
+} // namespace abbe
