@@ -49,11 +49,10 @@ CheckpointedRender render_with_checkpoints(const RenderJob& job, SampleRange ran
       last = in_all(now, before);
       progress.tell(last);
     };
-    result.complete =
-        render(job.scene, job.plan, job.world, range, state,
-               {.progress = tell,
-                .stop = &stop,
-                .pause_after = checkpoints.file ? checkpoints.every_seconds : 0.0});
+    result.complete = render(job.scene, job.plan, job.world, range, state,
+                             {.progress = tell,
+                              .stop = &stop,
+                              .pause_after = checkpoints.file ? checkpoints.every_seconds : 0.0});
     const bool ended = result.complete || stop;
     if (ended) progress.finish();
     result.kept = keep(checkpoints, job.info, state);

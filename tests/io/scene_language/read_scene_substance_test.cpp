@@ -80,9 +80,9 @@ TEST_CASE("errors of metals and coloured glass") {
 
 TEST_CASE("a library warns of an entry when it is used, not when it is looked through") {
   std::vector<std::string> warnings;
-  (void)scene_of("background D65 light D65 0 0 0 1 sphere", &warnings);
+  (void)scene_of("background D65 light D65 0 9 0 1 sphere", &warnings);
   CHECK(warnings.empty());
-  (void)scene_of("light 2a 0 0 0 1 light 2a 0 0 0 1 sphere", &warnings);
+  (void)scene_of("light 2a 0 9 0 1 light 2a 0 9 0 1 sphere", &warnings);
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].find("lights.filter:31:12: 3 zeros after the 81 values") != std::string::npos);
 }

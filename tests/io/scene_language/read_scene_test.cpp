@@ -120,7 +120,7 @@ TEST_CASE("a spectrum's factor may be left out before the next keyword") {
 
 TEST_CASE("a scene without library keywords uses the two files beside it") {
   std::vector<std::string> warnings;
-  const Scene scene = scene_of("UseMaterial strongorangeyellow sphere light 2a 0 0 0 1", &warnings);
+  const Scene scene = scene_of("UseMaterial strongorangeyellow sphere light 2a 0 9 0 1", &warnings);
   CHECK(scene.materials.at(0).name == "StrongOrangeYellow");
   CHECK(scene.lights.at(0).spectrum.at(700.0) == Approx(0.85 * 0.45));
   CHECK(warnings.size() == 1); // the zeros of filter 2a
@@ -128,7 +128,7 @@ TEST_CASE("a scene without library keywords uses the two files beside it") {
 
 TEST_CASE("a scene that names no light leaves the library closed") {
   std::vector<std::string> warnings;
-  (void)scene_of("sphere light 0 0 0 1 1 1", &warnings);
+  (void)scene_of("sphere light 0 9 0 1 1 1", &warnings);
   CHECK(warnings.empty());
 }
 

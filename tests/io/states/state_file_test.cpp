@@ -127,7 +127,7 @@ TEST_CASE("a state that goes through files ends as if it had not been interrupte
     for (bool complete = false; !complete;) {
       std::atomic<bool> stop = false;
       const auto tell = [&](const RenderProgress&) { stop = true; };
-      complete = stage.go_on(state, {.progress = tell, .stop = &stop, .pause_after = 0.01});
+      complete = stage.go_on(state, {.progress = tell, .stop = &stop, .pause_after = 0.001});
       stops += complete ? 0 : 1;
       write_state(folder.path / "a.state", whole_info, state);
       state = read(folder.path / "a.state");
