@@ -192,7 +192,8 @@ int run(const RenderCommand& command) {
   RenderState state = begin(command, request, plan, bands);
   const World world(scene.shapes, farthest_coordinate(scene));
 
-  const StateInfo info = info_of(request.scene_path, request.inputs, plan, request.part);
+  StateInfo info; // the checksums in it take time, so it is there where a state is kept
+  if (outputs.state) info = info_of(request.scene_path, request.inputs, plan, request.part);
   const SampleRange range = samples_of(request.part, plan.settings.samples_per_pixel);
   const CheckpointedRender done =
       render_with_checkpoints({scene, plan, world, info}, range, state,
