@@ -19,7 +19,7 @@ namespace {
 /// A command that can be given, and what it is when its options have been read.
 struct Entry {
   CLI::App* app;
-  std::function<Command()> command;
+  std::function<Command(const CLI::App&)> command;
 };
 
 std::vector<std::string> given_options(const CLI::App& app) {
@@ -35,8 +35,9 @@ void add_command(CLI::App& app, std::vector<Entry>& entries) {
     CLI::App* const own = app.add_subcommand(Kind::kName, Kind::kHelp);
     const auto kind = std::make_shared<Kind>();
     add_options(*own, *kind);
-    entries.push_back({own, [own, kind] {
-                         if constexpr (requires { kind->given; }) kind->given = given_options(*own);
+    entries.push_back({own, [kind]([[maybe_unused]] const CLI::App& parsed) {
+                         if constexpr (requires { kind->given; })
+                           kind->given = given_options(parsed);
                          return Command(*kind);
                        }});
   }
@@ -65,7 +66,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     return Answered{app.exit(error) == 0 ? 0 : kExitUsage};
   }
   for (const Entry& entry : entries)
-    if (entry.app->parsed()) return entry.command();
+    if (entry.app->parsed()) return entry.command(*entry.app);
   return Answered{kExitUsage}; // not reached: one command is required
 }
 
