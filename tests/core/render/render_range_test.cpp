@@ -219,7 +219,7 @@ TEST_CASE("a rendering that was stopped goes on as if it had not been") {
   CHECK(stops > 4);
 }
 
-// Between mirrors that lose nothing a light path meets some two thousand surfaces, and a chunk of
+// Between mirrors that lose nothing a light path meets some thousand surfaces, and a chunk of
 // 256 of them takes far longer than the stop leaves it.
 TEST_CASE("light paths are given up within a chunk when the rendering is stopped") {
   const Stage s = stage(test::scene_from("integrator path caustics on imageSize 8 8 bands 5\n"
