@@ -4,14 +4,10 @@
 #include "core/bundles/statistics.h"
 #include "core/film/radiance_sums.h"
 #include "core/integrators/beyond_limit.h"
+#include "core/integrators/end_check.h"
 #include "core/sampling/sampler.h"
 
-#include <functional>
-
 namespace abbe {
-
-/// Tells whether a rendering is to end, to whoever is in the middle of a long path.
-using IsOver = std::function<bool()>;
 
 /// Finds the light that camera rays see. One object serves one thread; it keeps the memory of its
 /// paths.
@@ -30,17 +26,11 @@ public:
   /// What the last sample would have brought from beyond the depth limit.
   [[nodiscard]] const BeyondLimit& beyond() const { return beyond_; }
   /// Long paths ask this now and then. Keeps a reference.
-  void end_with(const IsOver& is_over) { is_over_ = &is_over; }
+  void end_with(const IsOver& is_over) { end_check_.end_with(is_over); }
 
 protected:
-  /// To be asked for each ray.
-  [[nodiscard]] bool gives_up() { return (++rays_ & 0xffu) == 0 && is_over_ && (*is_over_)(); }
-
+  EndCheck end_check_;
   BeyondLimit beyond_;
-
-private:
-  const IsOver* is_over_ = nullptr;
-  std::uint32_t rays_ = 0;
 };
 
 } // namespace abbe

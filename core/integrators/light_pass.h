@@ -5,7 +5,7 @@
 #include "core/bundles/statistics.h"
 #include "core/cameras/placed_camera.h"
 #include "core/film/film.h"
-#include "core/integrators/integrator.h"
+#include "core/integrators/end_check.h"
 #include "core/integrators/photon_map.h"
 #include "core/lights/emission.h"
 

@@ -58,7 +58,7 @@ bool LightPaths::trace(const EmittedRay& ray, const Sampler& sampler, double sha
   if (!start(ray)) return true;
   wait();
   while (take()) {
-    if (gives_up()) {
+    if (end_check_.gives_up()) {
       give_up();
       return false;
     }

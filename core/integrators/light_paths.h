@@ -3,7 +3,7 @@
 #include "core/cameras/placed_camera.h"
 #include "core/film/film.h"
 #include "core/film/radiance_sums.h"
-#include "core/integrators/integrator.h"
+#include "core/integrators/end_check.h"
 #include "core/integrators/photon_map.h"
 #include "core/integrators/random_walk.h"
 #include "core/integrators/shadow.h"
@@ -24,7 +24,7 @@ public:
   LightPaths(const Plan& plan, const World& world, const Emission& emission,
              const PlacedCamera* camera, Film& film);
   /// Long paths ask this now and then. Keeps a reference.
-  void end_with(const IsOver& is_over) { is_over_ = &is_over; }
+  void end_with(const IsOver& is_over) { end_check_.end_with(is_over); }
 
   /// Follows one path, and returns false where it was given up. `share` is what one path stands
   /// for: 1 over their number. Photons are added to `photons` unless it is null; `photon_share` is
@@ -60,9 +60,6 @@ private:
   void keep(const Hit& hit);
   void branch_off_to_specular(const Hit& hit);
 
-  /// To be asked for each ray.
-  [[nodiscard]] bool gives_up() { return (++rays_ & 0xffu) == 0 && is_over_ && (*is_over_)(); }
-
   const Emission& emission_;
   const PlacedCamera* camera_;
   Film& film_;
@@ -75,8 +72,7 @@ private:
   PhotonBatch* photons_ = nullptr;
   int limit_;                ///< of depth
   bool goes_beyond_ = false; ///< whether the path goes on where the depth limit ends it
-  const IsOver* is_over_ = nullptr;
-  std::uint32_t rays_ = 0;
+  EndCheck end_check_;
   std::vector<HeldSplat> held_;
   std::vector<float> held_radiance_; ///< of the splats that are not lost, where the film has bands
 };

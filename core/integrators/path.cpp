@@ -48,7 +48,7 @@ bool Path::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums&
       row[b] = plan_.live[static_cast<std::size_t>(b)] * start.bundles[i].weight;
     wait();
     while (take()) {
-      if (gives_up()) {
+      if (end_check_.gives_up()) {
         give_up();
         return false;
       }

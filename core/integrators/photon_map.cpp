@@ -49,6 +49,14 @@ std::size_t PhotonMap::cells_near(const dvec3& place, Cells& cells) const {
   return count;
 }
 
+std::size_t count_within_limit(std::span<const PhotonBatch> batches) {
+  std::size_t count = 0;
+  for (const PhotonBatch& batch : batches)
+    count +=
+        static_cast<std::size_t>(std::ranges::count(batch.photons, false, &Photon::beyond_limit));
+  return count;
+}
+
 void PhotonMap::build(std::span<PhotonBatch> batches, double radius) {
   radius_ = radius;
   density_factor_ = 1.0 / (std::numbers::pi * radius * radius);
@@ -61,10 +69,7 @@ void PhotonMap::build(std::span<PhotonBatch> batches, double radius) {
   photons_.resize(count);
   flux_.resize(values);
   // What lies beyond the depth limit must not change the cells, which set the order of the others.
-  std::size_t within = 0;
-  for (const PhotonBatch& batch : batches)
-    within +=
-        static_cast<std::size_t>(std::ranges::count(batch.photons, false, &Photon::beyond_limit));
+  const std::size_t within = count_within_limit(batches);
   begins_.assign(std::bit_ceil(std::max<std::size_t>(within, 1)) + 1, 0);
 
   // Sorted by counting, which keeps the order of photons in a cell.

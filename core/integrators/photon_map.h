@@ -35,6 +35,8 @@ struct PhotonBatch {
   /// Adds a photon with the flux `scale` times `band_flux`, whose bands become the photon's.
   void add(Photon photon, BandSpan<const float> band_flux, double scale);
 };
+/// How many photons there are within the depth limit.
+[[nodiscard]] std::size_t count_within_limit(std::span<const PhotonBatch> batches);
 
 /// Photons of one pass, found by place. What is looked up does not depend on the order in which
 /// batches were made, only on that in which they are given.

@@ -15,10 +15,7 @@ constexpr double kFewest = 4.0;
 } // namespace
 
 double first_photon_radius(std::span<const PhotonBatch> batches, double largest) {
-  std::size_t count = 0;
-  for (const PhotonBatch& batch : batches)
-    count +=
-        static_cast<std::size_t>(std::ranges::count(batch.photons, false, &Photon::beyond_limit));
+  const std::size_t count = count_within_limit(batches);
   // Every so many of them stands for those beside it.
   const std::size_t step = (count + kMostCompared - 1) / kMostCompared;
   std::vector<dvec3> places;

@@ -62,7 +62,7 @@ bool Whitted::trace(const CameraPaths& paths, const Sampler& sampler, RadianceSu
   for (std::size_t i = paths.count; i-- > 0;) {
     start(paths, i);
     while (take()) {
-      if (gives_up()) {
+      if (end_check_.gives_up()) {
         give_up();
         return false;
       }

@@ -36,10 +36,9 @@ struct RenderControl {
 /// anywhere in a state that has not begun, unless what comes before decides on what comes after, as
 /// with adaptive sampling, a noise target or a time limit. A range of a rendering with light passes
 /// that begins anywhere must be a part's (`RenderPart`), so that its light paths are a part too.
-/// Rendering one range after the other
-/// gives the bytes of rendering them at once. With adaptive sampling or a noise target a range goes
-/// on to the end of the pass in which it ends. After a stop the state holds whole samples,
-/// and the same range, or a longer one, takes up the rest.
+/// Rendering one range after the other gives the bytes of rendering them at once. With adaptive
+/// sampling or a noise target a range goes on to the end of the pass in which it ends. After a stop
+/// the state holds whole samples, and the same range, or a longer one, takes up the rest.
 bool render(const Scene& scene, const Plan& plan, const World& world, SampleRange range,
             RenderState& state, const RenderControl& control = {});
 

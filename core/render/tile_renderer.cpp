@@ -122,7 +122,8 @@ bool TileRenderer::trace_sample(const CameraSample& sample, const CameraPaths& s
   if (transparency_ && sums_.transparency() != 0.0)
     film_.add(*transparency_, place, sums_.transparency());
   if (transmittance_) film_.add(*transmittance_, place, sums_.transmittance());
-  if (lost_) film_.add(*lost_, place, lost_light(integrator_->beyond().luminance(), plan_.quantum));
+  if (const double lost = lost_ ? integrator_->beyond().luminance() : 0.0; lost != 0.0)
+    film_.add(*lost_, place, lost_light(lost, plan_.quantum));
   return true;
 }
 

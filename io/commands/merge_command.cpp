@@ -66,10 +66,7 @@ RenderState merged(const std::vector<KeptPart>& parts, const SceneRequest& reque
 
 void add_options(CLI::App& app, MergeCommand& command) {
   app.add_option("parts", command.parts, "All parts, in any order")->required()->type_name("PART");
-  app.add_option("-o,--output", command.outputs,
-                 "Picture to write (" + known_image_extensions() + "); may be repeated")
-      ->required()
-      ->type_name("FILE");
+  add_images(app, command.outputs, "")->required();
   app.add_option("--spectral", command.spectral_output,
                  "Write all bands into one EXR; the parts must have them")
       ->type_name("FILE");
@@ -104,7 +101,7 @@ int run(const MergeCommand& command) {
   const BandPlace place = band_place(command.spectral_output.value_or(command.outputs.front()));
   const Rendering rendering = end_rendering(merged(parts, request, plan, place), plan, true);
   if (!command.quiet) say(summary(rendering));
-  if (const std::string warning = light_warning(rendering); !warning.empty()) say_warning(warning);
+  say_warning(light_warning(rendering));
   const DisplaySettings display = overridden(request.scene.display, command.display);
   return write_outputs(rendering, plan, outputs, command.output, display, command.quiet)
              ? 0

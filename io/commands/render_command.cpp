@@ -44,10 +44,6 @@ void add_memory_limit(CLI::App& app, std::optional<double>& limit_gib) {
       ->type_name("GIB");
 }
 
-void warn_unless_empty(const std::string& message) {
-  if (!message.empty()) say_warning(message);
-}
-
 Outputs outputs_of(const RenderCommand& command, const Scene& scene, const RenderPart& part) {
   if (!part.is_whole()) {
     if (command.outputs.size() != 1)
@@ -100,11 +96,7 @@ void add_options(CLI::App& app, RenderCommand& command) {
   app.callback([&command] {
     if (command.scene_path.empty() && !command.states.resume) throw CLI::RequiredError("scene");
   });
-  app.add_option("-o,--output", command.outputs,
-                 "Picture to write (" + known_image_extensions() +
-                     "); may be repeated. Default: NAME.exr and NAME.tiff in this folder")
-      ->allow_extra_args(false) // what follows its file may be the scene
-      ->type_name("FILE");
+  add_images(app, command.outputs, ". Default: NAME.exr and NAME.tiff in this folder");
   app.add_option("--spectral", command.spectral_output, "Write all bands into one EXR")
       ->type_name("FILE");
   add_settings(app, command.display);
@@ -203,10 +195,10 @@ int run(const RenderCommand& command) {
   tell_state(outputs, done, command.quiet);
   if (outputs.images.empty())
     return !done.complete ? kExitInterrupted : done.kept ? 0 : kExitFailure;
-  warn_unless_empty(light_warning(rendering));
+  say_warning(light_warning(rendering));
 
   if (!rendering.complete) return write_partial(rendering, plan, outputs, command.output);
-  warn_unless_empty(warning_of_darkness(scene, plan, rendering));
+  say_warning(warning_of_darkness(scene, plan, rendering));
   const DisplaySettings display = overridden(scene.display, command.display);
   const bool written =
       write_outputs(rendering, plan, outputs, command.output, display, command.quiet);

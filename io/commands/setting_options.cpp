@@ -103,6 +103,15 @@ void add_settings(CLI::App& app, DisplayOverride& given) {
   add_rows(app, display_setting_table(), given, DisplaySettings{});
 }
 
+CLI::Option* add_images(CLI::App& app, std::vector<std::filesystem::path>& images,
+                        const std::string& usual) {
+  return app
+      .add_option("-o,--output", images,
+                  "Picture to write (" + known_image_extensions() + "); may be repeated" + usual)
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+}
+
 void add_output_options(CLI::App& app, OutputOptions& output) {
   add_choice<SceneLinearSpace>(
       app, "--exr-space", output.exr_space,

@@ -39,7 +39,7 @@ void say_error(std::string_view line) {
 }
 
 void say_warning(std::string_view message) {
-  say_error(fmt::format("warning: {}", message));
+  if (!message.empty()) say_error(fmt::format("warning: {}", message));
 }
 
 void put_error(std::string_view text) {

@@ -17,7 +17,7 @@ void outlive_readers();
 void say(std::string_view line);
 /// The same on standard error.
 void say_error(std::string_view line);
-/// A warning on standard error.
+/// A warning on standard error; none where the message is empty.
 void say_warning(std::string_view message);
 /// Writes to standard error as it is, and at once.
 void put_error(std::string_view text);

@@ -1,6 +1,7 @@
 #include "io/files/atomic_file.h"
 
 #include "io/files/temporary_names.h"
+#include "io/files/throw_errno.h"
 
 #include <fmt/format.h>
 
@@ -21,10 +22,6 @@ namespace abbe {
 namespace {
 
 namespace fs = std::filesystem;
-
-[[noreturn]] void throw_errno() {
-  throw std::runtime_error(std::generic_category().message(errno));
-}
 
 /// A file that is to be replaced, or made.
 struct Target {

@@ -1,19 +1,16 @@
 #include "io/files/regular_file.h"
 
+#include "io/files/throw_errno.h"
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <stdexcept>
-#include <system_error>
 
 namespace abbe {
 namespace {
-
-[[noreturn]] void throw_errno() {
-  throw std::runtime_error(std::generic_category().message(errno));
-}
 
 const char* kind_of(mode_t mode) {
   if (S_ISDIR(mode)) return "it is a folder";

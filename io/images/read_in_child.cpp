@@ -1,6 +1,7 @@
 #include "io/images/read_in_child.h"
 
 #include "io/files/available_memory.h"
+#include "io/files/throw_errno.h"
 #include "io/images/read_image.h"
 
 #include <fmt/format.h>
@@ -23,7 +24,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 namespace abbe {
@@ -35,10 +35,6 @@ struct Announcement {
   int width = 0, height = 0;
   std::size_t text_size = 0;
 };
-
-[[noreturn]] void throw_errno() {
-  throw std::runtime_error(std::generic_category().message(errno));
-}
 
 /// Sends all bytes; the child ends where nobody reads them.
 void send(int pipe, const void* from, std::size_t count) {

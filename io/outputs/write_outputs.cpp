@@ -16,8 +16,7 @@ namespace {
 DisplayImage display_picture(const Rendering& rendering, const Plan& plan,
                              const DisplaySettings& settings) {
   DisplayImage image = develop_display(rendering.film, plan, settings);
-  if (const std::string warning = warning_of_exposure(rendering.film, image); !warning.empty())
-    say_warning(warning);
+  say_warning(warning_of_exposure(rendering.film, image));
   return image;
 }
 

@@ -2,16 +2,13 @@
 
 #include "geometry/world/world.h"
 #include "io/console/exit_codes.h"
+#include "io/states/state_info.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <functional>
 #include <memory>
-
-#ifndef ABBE_VERSION
-#define ABBE_VERSION "unknown"
-#endif
 
 namespace abbe {
 namespace {
@@ -56,7 +53,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   CLI::App app("abbe renders light through glass: every path carries all wavelength bands.",
                "abbe");
   app.set_version_flag("--version",
-                       fmt::format("abbe {} (Embree {})", ABBE_VERSION, embree_version()));
+                       fmt::format("abbe {} (Embree {})", program_version(), embree_version()));
   app.require_subcommand(1);
   app.failure_message(CLI::FailureMessage::simple);
   const std::vector<Entry> entries = add_commands(app, static_cast<const Command*>(nullptr));

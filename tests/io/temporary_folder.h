@@ -28,6 +28,11 @@ struct Folder {
   }
 };
 
+/// Makes a file of these bytes, or replaces it.
+inline void put(const std::filesystem::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
 /// All bytes of a file.
 inline std::string content(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);

@@ -20,12 +20,9 @@ using namespace abbe;
 namespace fs = std::filesystem;
 using test::content;
 using test::Folder;
+using test::put;
 
 namespace {
-
-void put(const fs::path& path, const std::string& text) {
-  std::ofstream(path) << text;
-}
 
 template <class Action>
 std::string message_of(const Action& action) {

@@ -23,12 +23,9 @@ using namespace abbe;
 namespace fs = std::filesystem;
 using test::content;
 using test::Folder;
+using test::put;
 
 namespace {
-
-void put(const fs::path& path, const std::string& text) {
-  std::ofstream(path) << text;
-}
 
 /// From now on this process has no unnamed files, as on file systems without them. False where the
 /// system does not allow that.

@@ -245,6 +245,12 @@ TEST_CASE("--exr-space names the primaries of EXR") {
   CHECK(space("rec2020") == SceneLinearSpace::rec2020);
 }
 
+TEST_CASE("a file after -o is the last one that it takes") {
+  const auto merge = std::get<MergeCommand>(parse({"merge", "-o", "x.exr", "1.state", "2.state"}));
+  CHECK(merge.outputs == std::vector<fs::path>{"x.exr"});
+  CHECK(merge.parts == std::vector<fs::path>{"1.state", "2.state"});
+}
+
 TEST_CASE("plan and list are commands of their own") {
   const auto plan = std::get<PlanCommand>(parse({"plan", "a.sdl", "--bands", "3"}));
   CHECK(overridden(RenderSettings{}, plan.settings).bands == 3);
