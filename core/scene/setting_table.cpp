@@ -32,7 +32,11 @@ constexpr Word<Observer> kObservers[] = {{"2deg", Observer::cie1931_2deg, "2"},
 constexpr Word<Tracing> kTracings[] = {{"single", Tracing::single}, {"packets", Tracing::packets}};
 constexpr Word<GamutMapping> kGamuts[] = {{"clip", GamutMapping::clip},
                                           {"scale", GamutMapping::scale},
-                                          {"desaturate", GamutMapping::desaturate}};
+                                          {"desaturate", GamutMapping::desaturate},
+                                          {"none", GamutMapping::none}};
+constexpr Word<AdaptationMethod> kAdaptations[] = {{"bradford", AdaptationMethod::bradford},
+                                                   {"cat16", AdaptationMethod::cat16}};
+constexpr Word<ToneCurve> kTones[] = {{"linear", ToneCurve::linear}, {"filmic", ToneCurve::filmic}};
 
 using Whole = WholeNumber<RenderSettings>;
 using Real = RealNumber<RenderSettings>;
@@ -272,6 +276,21 @@ constexpr auto kDisplayTable = std::to_array<DisplaySetting>({
      .default_words = "none: what is, is shown",
      .metadata = "whitePoint",
      .matters = [](const D& d) { return d.white_point.has_value(); }},
+    {.value = Choice<D, AdaptationMethod>{&D::adaptation, kAdaptations},
+     .keyword = "adaptation",
+     .option = "--adaptation",
+     .help = "How the eye's adaptation to the white point is computed",
+     .metadata = "adaptation",
+     .matters =
+         [](const D& d) {
+           return d.white_point.has_value() && d.adaptation != AdaptationMethod::bradford;
+         }},
+    {.value = Choice<D, ToneCurve>{&D::tone, kTones},
+     .keyword = "toneCurve",
+     .option = "--tone",
+     .help = "How TIFF and PNG show luminances: linear ends at 1, filmic rolls off",
+     .metadata = "toneCurve",
+     .matters = [](const D& d) { return d.tone != ToneCurve::linear; }},
 });
 
 /// The text of one kind of value.

@@ -71,8 +71,9 @@ using RenderValue =
                  RenderChoice<Observer>, RenderChoice<AdaptiveSampling>, RenderChoice<Tracing>,
                  RenderChoice<Skips>, RenderChoice<Sky>, RenderChoice<ExtraLayers>>;
 using DisplayValue =
-    std::variant<RealNumber<DisplaySettings>, Choice<DisplaySettings, GamutMapping>, DisplaySpace,
-                 DisplayTransfer, DisplayWhite>;
+    std::variant<RealNumber<DisplaySettings>, Choice<DisplaySettings, GamutMapping>,
+                 Choice<DisplaySettings, AdaptationMethod>, Choice<DisplaySettings, ToneCurve>,
+                 DisplaySpace, DisplayTransfer, DisplayWhite>;
 
 /// One setting. Where a name is empty, the setting cannot be given there.
 template <class Settings, class Value>

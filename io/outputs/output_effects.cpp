@@ -44,6 +44,8 @@ constexpr auto kEffects = std::to_array<OutputEffect>({
     {"--gamut", has_screen, kForScreens},
     {"--exposure", has_screen, kForScreens},
     {"--white-point", has_screen, kForScreens},
+    {"--adaptation", has_screen, kForScreens},
+    {"--tone", has_screen, kForScreens},
 });
 
 } // namespace

@@ -80,7 +80,8 @@ struct ReadDisplayValue {
   void operator()(const RealNumber<DisplaySettings>& v) const {
     settings.*v.member = arguments.number(v.range);
   }
-  void operator()(const Choice<DisplaySettings, GamutMapping>& choice) const {
+  template <class Value>
+  void operator()(const Choice<DisplaySettings, Value>& choice) const {
     read_choice(choice, settings, arguments);
   }
   void operator()(const DisplaySpace&) const {

@@ -62,6 +62,8 @@ const std::map<std::string_view, Example> kExamples{
     {"--gamut", "clip"},
     {"--exposure", "-1.5"},
     {"--white-point", {"0.3457 0.3585", "0.3457,0.3585"}},
+    {"--adaptation", "cat16"},
+    {"--tone", "filmic"},
 };
 
 // These are of one run on one machine, not of a scene.
@@ -183,8 +185,9 @@ TEST_CASE("every member of the settings has its row") {
                                 tolerance, max_fan, threads, skip, tracing] = render;
   CHECK(render_setting_table().size() == 30 - 1); // width and height are one setting
   const DisplaySettings display;
-  [[maybe_unused]] const auto& [exposure, gamut, space, transfer, white_point] = display;
-  CHECK(display_setting_table().size() == 5);
+  [[maybe_unused]] const auto& [exposure, gamut, space, transfer, white_point, adaptation, tone] =
+      display;
+  CHECK(display_setting_table().size() == 7);
 }
 
 TEST_CASE("a setting is the same from a scene and from the command line") {
@@ -241,10 +244,12 @@ TEST_CASE("an image file tells every setting that shaped the image") {
     CHECK(names(render_metadata(changed), name, value_text(row, changed.settings)));
     CHECK(render_metadata(changed) != render_metadata(plan));
   }
-  const Metadata usual = display_metadata({}, Observer::cie1931_2deg);
   for (const DisplaySetting& row : display_setting_table()) {
     INFO(row.option);
     DisplaySettings changed;
+    if (row.option == "--adaptation")
+      changed.white_point = WhitePoint::at({0.4, 0.4}); // it needs one
+    const Metadata usual = display_metadata(changed, Observer::cie1931_2deg);
     set_from_text(row, kExamples.at(row.option).option, changed);
     const Metadata data = display_metadata(changed, Observer::cie1931_2deg);
     CHECK(data != usual);
