@@ -4,6 +4,7 @@
 #include "io/commands/list_command.h"
 #include "io/commands/merge_command.h"
 #include "io/commands/plan_command.h"
+#include "io/commands/relight_command.h"
 #include "io/commands/render_command.h"
 #include "io/commands/selftest_command.h"
 
@@ -24,7 +25,7 @@ struct Answered {
 /// `kName` and `kHelp`; `add_options` adds what can be given to the command line, and `run` returns
 /// the exit code of the program. Where it has a member `given`, it gets the names of all options
 /// that were given.
-using Command = std::variant<Answered, RenderCommand, MergeCommand, PlanCommand, ListCommand,
-                             InfoCommand, SelftestCommand>;
+using Command = std::variant<Answered, RenderCommand, MergeCommand, PlanCommand, RelightCommand,
+                             ListCommand, InfoCommand, SelftestCommand>;
 
 } // namespace abbe
