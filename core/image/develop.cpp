@@ -1,5 +1,6 @@
 #include "core/image/develop.h"
 
+#include "core/image/develop_layers.h"
 #include "core/image/metadata.h"
 #include "core/image/scene_linear_space.h"
 
@@ -54,6 +55,7 @@ SceneLinearImage develop_scene_linear(const Film& film, const Plan& plan, SceneL
     image.metadata.push_back(std::move(entry));
   if (const auto layer = film.find(kTransmittance))
     image.channels = transmittance_channels(film, *layer, space);
+  develop_layers(film, plan, matrix_to(space), image);
   if (!plan.settings.reports_errors()) return image;
   ImageChannel samples{"samples", {}}, error{"error.Y", {}};
   for_each_pixel(film.window(), [&](int x, int y) {

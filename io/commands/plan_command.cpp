@@ -1,6 +1,5 @@
 #include "io/commands/plan_command.h"
 
-#include "core/planning/make_plan.h"
 #include "io/commands/scene_request.h"
 #include "io/commands/setting_options.h"
 
@@ -12,8 +11,8 @@ void add_options(CLI::App& app, PlanCommand& command) {
 }
 
 int run(const PlanCommand& command) {
-  const SceneRequest request = read_request(command.scene_path, command.settings, nullptr);
-  tell_plan(make_plan(request.scene, request.settings));
+  SceneRequest request = read_request(command.scene_path, command.settings, nullptr);
+  tell_plan(plan_of(request, request.settings));
   return 0;
 }
 

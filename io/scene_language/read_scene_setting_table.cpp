@@ -66,6 +66,14 @@ struct ReadRenderValue {
     settings.crop = window;
     state.crop_at = arguments.keyword().where;
   }
+  void operator()(const LayerNames&) const {
+    const Token names = arguments.name_token("a list of layers");
+    ExtraLayers layers;
+    if (!add_layers(names.text, layers))
+      throw ReadError(names.where, "unknown layers " + shown(names), "no such layer",
+                      "docs/layers.md lists them");
+    settings.layers = layers;
+  }
 };
 
 std::string list_of(const std::vector<std::string>& names) {

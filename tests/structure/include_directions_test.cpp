@@ -58,6 +58,8 @@ constexpr Permission kPermissions[] = {
     {"io/", "fmt/"},
     {"io/program/command_line.cpp", "CLI/"},
     {"io/commands/", "CLI/"}, // each command has options of its own
+    {"io/images/read_cube.cpp", "OpenEXR/"},
+    {"io/images/read_cube.cpp", "Imath/"},
     {"io/images/read_exr.cpp", "OpenEXR/"},
     {"io/images/read_exr.cpp", "Imath/"},
     {"io/images/read_png.cpp", "png.h"},

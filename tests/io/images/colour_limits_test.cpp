@@ -126,10 +126,11 @@ TEST_CASE("integer files show light at the limits as black, white, and the colou
         DisplaySettings settings;
         settings.gamut = gamut;
         const ColorRow picture({{0.0, 0.0, 0.0}, kGrey * 1e-30, kGrey, kGrey * 1e30, kOutside},
-                              1e30);
+                               1e30);
         // The quantum of a picture with such a light is larger than its greys.
         CHECK(picture.film.color(2, 0).y == 0.0);
-        const ColorRow moderate({{0.0, 0.0, 0.0}, kGrey * 1e-30, kGrey, kGrey * 1e8, kOutside}, 1.0);
+        const ColorRow moderate({{0.0, 0.0, 0.0}, kGrey * 1e-30, kGrey, kGrey * 1e8, kOutside},
+                                1.0);
         const auto display = develop_display(moderate.film, moderate.plan, settings);
         OutputOptions options;
         options.png_bits = deep ? 16 : 8;

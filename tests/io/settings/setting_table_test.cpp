@@ -51,7 +51,8 @@ const std::map<std::string_view, Example> kExamples{
     {"--light-paths", "0.5"},
     {"--photon-radius", "0.2"},
     {"--errors", {"on", ""}},
-    {"--layers", {"", "transmittance"}},
+    {"--layers", {"", "transmittance,depth"}},
+    {"--relightable", {"on", ""}},
     {"--size", {"640 480", "640x480"}},
     {"--crop", {"1 2 30 40", "1,2,30,40"}},
     {"--threads", "3"},
@@ -67,11 +68,12 @@ const std::map<std::string_view, Example> kExamples{
 };
 
 // These are of one run on one machine, not of a scene.
-const std::set<std::string_view> kNotInScenes{"--time",    "--errors", "--layers",
+const std::set<std::string_view> kNotInScenes{"--time",    "--errors", "--layers", "--relightable",
                                               "--threads", "--skip",   "--tracing"};
 // Those, and what the windows and channels of an image file tell.
-const std::set<std::string_view> kNotInMetadata{"--errors",  "--layers", "--size",   "--crop",
-                                                "--threads", "--skip",   "--tracing"};
+const std::set<std::string_view> kNotInMetadata{"--errors", "--layers", "--relightable",
+                                                "--size",   "--crop",   "--threads",
+                                                "--skip",   "--tracing"};
 
 RenderCommand parse(const std::string& option, const std::string& value) {
   std::vector<const char*> words{"abbe", "render", "scene.sdl", option.c_str()};
@@ -180,10 +182,10 @@ TEST_CASE("every member of the settings has its row") {
   const RenderSettings render;
   [[maybe_unused]] const auto& [width, height, crop, bands, observer, samples, noise, seconds,
                                 adaptive, keep_errors, seed, integrator, filter, sky, layers,
-                                max_depth, min_throughput, min_reflectivity, min_transparency,
-                                shadows, caustics, light_paths, photon_radius, exact, jitter,
-                                tolerance, max_fan, threads, skip, tracing] = render;
-  CHECK(render_setting_table().size() == 30 - 1); // width and height are one setting
+                                relightable, max_depth, min_throughput, min_reflectivity,
+                                min_transparency, shadows, caustics, light_paths, photon_radius,
+                                exact, jitter, tolerance, max_fan, threads, skip, tracing] = render;
+  CHECK(render_setting_table().size() == 31 - 1); // width and height are one setting
   const DisplaySettings display;
   [[maybe_unused]] const auto& [exposure, gamut, space, transfer, white_point, adaptation, tone] =
       display;
