@@ -57,9 +57,9 @@ TEST_CASE("errors of display keywords") {
   CHECK(scene_error("whitePoint 0.3") ==
         "s.sdl:1:15: the file ends where a number should stand (whitePoint takes NAME | x y | "
         "none). Complete the statement");
-  CHECK(scene_error("gamut compress") ==
-        "s.sdl:1:7: \"compress\" is no choice of gamut (gamut takes clip|scale|desaturate). Give "
-        "clip, scale or desaturate");
+  CHECK(scene_error("gamut compress") == "s.sdl:1:7: \"compress\" is no choice of gamut (gamut "
+                                         "takes clip|scale|desaturate|none). Give "
+                                         "clip, scale, desaturate or none");
   CHECK(scene_error("observer 5deg") == "s.sdl:1:10: \"5deg\" is no choice of observer (observer "
                                         "takes 2deg|10deg). Give 2deg or 10deg");
   CHECK(scene_error("display {") ==
