@@ -24,6 +24,11 @@ bool has_screen(const Outputs& outputs) {
   return has_image(outputs, {".tif", ".tiff", ".png"});
 }
 
+/// The state of a part holds what the EXR that is made of it will have.
+bool has_exr_or_part(const Outputs& outputs) {
+  return has_exr(outputs) || outputs.images.empty();
+}
+
 struct OutputEffect {
   std::string_view option;
   bool (*acts)(const Outputs&);
@@ -35,8 +40,8 @@ constexpr std::string_view kForScreens = "no TIFF and no PNG is written";
 constexpr auto kEffects = std::to_array<OutputEffect>({
     {"--exr-pixel", has_exr, "no EXR is written but that of all bands, whose pixels are float"},
     {"--exr-space", has_exr, "no EXR is written but that of all bands, whose space is rec709"},
-    {"--errors", has_exr, "only EXR holds errors"},
-    {"--layers", has_exr, "only EXR holds layers"},
+    {"--errors", has_exr_or_part, "only EXR holds errors"},
+    {"--layers", has_exr_or_part, "only EXR holds layers"},
     {"--layer-files", has_exr, "only EXR holds layers"},
     {"--tiff-depth", [](const Outputs& o) { return has_image(o, {".tif", ".tiff"}); },
      "no TIFF is written"},
