@@ -33,7 +33,7 @@ Colors colors_of(const DevelopCommand& command) {
   const PictureColors source(colors.header, {command.observer, false}, command.file.string());
   colors.observer = source.observer();
   const PictureRequest request{.bands = source.from_bands(), .alpha = true};
-  read_picture_blocks(command.file, request, [&](const Picture& block) {
+  read_picture_blocks(command.file, request, [&](const PictureValues& block) {
     for (std::size_t pixel = 0; pixel < block.part.pixel_count(); ++pixel)
       colors.values.push_back(source.color(block, pixel));
     colors.alpha.insert(colors.alpha.end(), block.alpha.begin(), block.alpha.end());

@@ -45,7 +45,7 @@ struct PictureRequest {
 }
 
 /// Part of a picture, as values: rows from the top of `part`, each over the data window's width.
-struct Picture {
+struct PictureValues {
   PictureHeader header;
   PixelWindow part;
   std::vector<float> rgb;   ///< linear sRGB, interleaved; empty where the file has no colours

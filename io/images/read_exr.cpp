@@ -225,14 +225,14 @@ void read_rows(Imf::InputFile& file, const PixelWindow& rows, std::vector<Target
 
 } // namespace
 
-Picture read_exr_picture(const std::filesystem::path& path, const PictureRequest& request) {
+PictureValues read_exr_picture(const std::filesystem::path& path, const PictureRequest& request) {
   require_regular_file(path);
   constexpr int kMostPixels = 65536;
   Imf::Header::setMaxImageSize(kMostPixels, kMostPixels); // OpenEXR has a table of all rows
   require_attributes(path);
   Imf::InputFile file(path.c_str());
   const Imf::Header& header = file.header();
-  Picture picture{header_of(header), {}, {}, {}, {}};
+  PictureValues picture{header_of(header), {}, {}, {}, {}};
   const auto colors = color_channels(header.channels());
   std::optional<Space> space;
   if (colors.size() == 3) space = tagged_space(header, picture.header.unknown_tag);
@@ -256,7 +256,7 @@ Picture read_exr_picture(const std::filesystem::path& path, const PictureRequest
 }
 
 ExrImage read_exr_image(const std::filesystem::path& path) {
-  Picture picture = read_exr_picture(path, {});
+  PictureValues picture = read_exr_picture(path, {});
   if (!picture.header.has_color)
     throw std::runtime_error("it has neither full channels R, G and B nor a full channel Y");
   return {picture.part.width(), picture.part.height(), std::move(picture.rgb),

@@ -24,7 +24,7 @@ struct ExrImage {
 
 /// Reads what the file says of its first part, and the part of it that is asked for. Colours are
 /// those of `read_exr_image`. Throws std::runtime_error, as above.
-[[nodiscard]] Picture read_exr_picture(const std::filesystem::path& file,
-                                       const PictureRequest& request);
+[[nodiscard]] PictureValues read_exr_picture(const std::filesystem::path& file,
+                                             const PictureRequest& request);
 
 } // namespace abbe

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 /// One row of the table of readers.
 struct InputFormat {
   std::string_view extension;
-  Picture (*read)(const fs::path&, const PictureRequest&);
+  PictureValues (*read)(const fs::path&, const PictureRequest&);
 };
 
 constexpr InputFormat kInputFormats[] = {
@@ -74,7 +74,7 @@ private:
   std::string_view rest_;
 };
 
-ChildMessage packed(Picture picture) {
+ChildMessage packed(PictureValues picture) {
   const PictureHeader& header = picture.header;
   Packer packer;
   packer.add(header.format);
@@ -104,9 +104,9 @@ ChildMessage packed(Picture picture) {
   return message;
 }
 
-Picture unpacked(ChildMessage message) {
+PictureValues unpacked(ChildMessage message) {
   Unpacker unpacker(message.text);
-  Picture picture;
+  PictureValues picture;
   PictureHeader& header = picture.header;
   header.format = unpacker.text();
   header.display = unpacker.window();
@@ -157,7 +157,7 @@ bool is_picture_name(const fs::path& file) {
   return find_format(file) != nullptr;
 }
 
-Picture read_picture(const fs::path& file, const PictureRequest& request) {
+PictureValues read_picture(const fs::path& file, const PictureRequest& request) {
   const InputFormat& format = format_of(file);
   std::error_code error;
   if (!fs::exists(file, error)) throw UserError(fmt::format("there is no file {}", file.string()));
@@ -173,7 +173,7 @@ PictureHeader read_picture_header(const fs::path& file) {
 }
 
 void read_picture_blocks(const fs::path& file, const PictureRequest& request,
-                         const std::function<void(const Picture& block)>& use) {
+                         const std::function<void(const PictureValues& block)>& use) {
   const PictureHeader header = read_picture_header(file);
   const PixelWindow data = rows_of(header.data, request);
   // 64 MiB, and whole blocks of rows that are packed together.

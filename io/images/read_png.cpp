@@ -190,10 +190,10 @@ ReflectanceImage read_png(const std::filesystem::path& path) {
   return image;
 }
 
-Picture read_png_picture(const std::filesystem::path& path, const PictureRequest& request) {
+PictureValues read_png_picture(const std::filesystem::path& path, const PictureRequest& request) {
   const OpenPng open(path);
   const PngHandles& handles = open.handles;
-  Picture picture{header_of(handles.png, handles.info), {}, {}, {}, {}};
+  PictureValues picture{header_of(handles.png, handles.info), {}, {}, {}, {}};
   // What the file has, not what libpng makes of it.
   std::array<unsigned char, 2> kind{};
   std::FILE* const file = open.file.get();

@@ -166,12 +166,12 @@ std::vector<float> read_values(TIFF* tiff, const Layout& layout, const PixelWind
 
 } // namespace
 
-Picture read_tiff_picture(const std::filesystem::path& path, const PictureRequest& request) {
+PictureValues read_tiff_picture(const std::filesystem::path& path, const PictureRequest& request) {
   require_regular_file(path);
   FirstError error;
   const TiffFile tiff = open_tiff(path, error);
   const Layout layout = layout_of(tiff.get());
-  Picture picture{header_of(tiff.get(), layout), {}, {}, {}, {}};
+  PictureValues picture{header_of(tiff.get(), layout), {}, {}, {}, {}};
   if (request.header_only) return picture;
   picture.part = rows_of(picture.header.data, request);
   if (picture.part.height() <= 0) return picture;

@@ -21,7 +21,7 @@ PictureColors::PictureColors(const PictureHeader& header, const ColorSource& sou
     bands_ = colors_of_bands(header.wavelengths_nm, observer_);
 }
 
-Xyz PictureColors::color(const Picture& picture, std::size_t pixel) const {
+Xyz PictureColors::color(const PictureValues& picture, std::size_t pixel) const {
   if (bands_.empty()) {
     const float* const rgb = picture.rgb.data() + 3 * pixel;
     return to_xyz(LinearRgb{rgb[0], rgb[1], rgb[2]});

@@ -26,7 +26,7 @@ public:
   [[nodiscard]] Observer observer() const { return observer_; }
   /// Of a pixel, counted from the upper left one of `picture.part`, which has bands where they are
   /// used.
-  [[nodiscard]] Xyz color(const Picture& picture, std::size_t pixel) const;
+  [[nodiscard]] Xyz color(const PictureValues& picture, std::size_t pixel) const;
 
 private:
   Observer observer_;

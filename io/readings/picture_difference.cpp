@@ -29,7 +29,7 @@ std::vector<Xyz> colors_of(const fs::path& file, const PictureHeader& header,
   std::vector<Xyz> all;
   all.reserve(header.data.pixel_count());
   const PictureRequest request{.bands = colors.from_bands()};
-  read_picture_blocks(file, request, [&](const Picture& block) {
+  read_picture_blocks(file, request, [&](const PictureValues& block) {
     for (std::size_t pixel = 0; pixel < block.part.pixel_count(); ++pixel)
       all.push_back(colors.color(block, pixel));
   });
@@ -41,8 +41,8 @@ std::vector<BandDifference> compare_bands(const fs::path& picture, const fs::pat
                                           const std::vector<double>& nm) {
   std::vector<double> differences(nm.size()), squares(nm.size());
   std::size_t count = 0;
-  read_picture_blocks(picture, {.bands = true}, [&](const Picture& a) {
-    const Picture b =
+  read_picture_blocks(picture, {.bands = true}, [&](const PictureValues& a) {
+    const PictureValues b =
         read_picture(reference, {.rows = RowRange{a.part.y0, a.part.y1}, .bands = true});
     for (std::size_t i = 0; i < a.bands.size(); ++i) {
       const double difference = static_cast<double>(a.bands[i]) - static_cast<double>(b.bands[i]);

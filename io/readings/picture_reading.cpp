@@ -51,7 +51,7 @@ PictureReading read_pixels(const std::filesystem::path& file, const std::vector<
   const auto [top, bottom] = std::ranges::minmax(places, {}, &PixelPlace::y);
   PictureRequest request{.rows = RowRange{top.y, bottom.y + 1}, .bands = true};
   const std::size_t bands = header.wavelengths_nm.size();
-  read_picture_blocks(file, request, [&](const Picture& block) {
+  read_picture_blocks(file, request, [&](const PictureValues& block) {
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (!holds(block.part, places[i])) continue;
       const std::size_t pixel = block.part.index(places[i].x, places[i].y);
@@ -94,7 +94,7 @@ RegionReading read_region(const std::filesystem::path& file, const PixelWindow& 
   Moments x, y, z;
   std::vector<Moments> spectrum(bands);
   const PictureRequest request{.rows = RowRange{window.y0, window.y1}, .bands = true};
-  read_picture_blocks(file, request, [&](const Picture& block) {
+  read_picture_blocks(file, request, [&](const PictureValues& block) {
     for_each_pixel({window.x0, block.part.y0, window.x1, block.part.y1}, [&](int column, int row) {
       const std::size_t pixel = block.part.index(column, row);
       ++count;

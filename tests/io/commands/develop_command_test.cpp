@@ -79,8 +79,8 @@ TEST_CASE("develop keeps alpha, the window, and what the rendering says of itsel
   test::put(desk / "s.sdl", kScene);
   (void)desk.run("render s.sdl -q -o r.exr --sky transparent --crop 3,2,20,14");
   (void)desk.run("develop r.exr -q -o d.exr --exr-space acescg -o d.png");
-  const Picture before = read_picture(desk / "r.exr", {.alpha = true});
-  const Picture after = read_picture(desk / "d.exr", {.alpha = true});
+  const PictureValues before = read_picture(desk / "r.exr", {.alpha = true});
+  const PictureValues after = read_picture(desk / "d.exr", {.alpha = true});
   CHECK(after.header.data == PixelWindow{3, 2, 20, 14});
   CHECK(after.header.display == before.header.display);
   REQUIRE_FALSE(before.alpha.empty());

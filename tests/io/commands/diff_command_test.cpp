@@ -87,7 +87,7 @@ TEST_CASE("false colours go from violet to yellow") {
   write_grey(desk / "a.exr", {0.5F, 0.9F});
   write_grey(desk / "b.exr", {0.5F, 0.1F});
   CHECK(desk.abbe("diff a.exr b.exr -o d.png --most 5").exit_code == 0);
-  const Picture picture = read_picture(desk / "d.png", {});
+  const PictureValues picture = read_picture(desk / "d.png", {});
   REQUIRE(picture.part == PixelWindow{0, 0, 2, 1});
   // Codes 68, 1, 84 and 253, 231, 37 of 255, decoded.
   CHECK(picture.rgb[0] == Approx(0.0578).margin(1e-3));

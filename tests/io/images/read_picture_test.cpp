@@ -97,7 +97,7 @@ TEST_CASE("an EXR of another program is read with its windows, colours and bands
   const Folder folder;
   const auto path = folder.path / "foreign.exr";
   write_foreign(path, {"R", "G", "B", "S0.600nm", "S0.400,5nm", "Z"});
-  const Picture picture = read_picture(path, {.bands = true});
+  const PictureValues picture = read_picture(path, {.bands = true});
   CHECK(picture.header.format == "OpenEXR");
   CHECK(picture.header.display == kFrame);
   CHECK(picture.header.data == kCrop);
@@ -121,7 +121,7 @@ TEST_CASE("rows are read alone, and those outside of the window are none") {
   const Folder folder;
   const auto path = folder.path / "foreign.exr";
   write_foreign(path, {"R", "G", "B", "S0.600nm"});
-  const Picture second = read_picture(path, {.rows = RowRange{2, 3}, .bands = true});
+  const PictureValues second = read_picture(path, {.rows = RowRange{2, 3}, .bands = true});
   CHECK(second.part == PixelWindow{2, 2, 5, 3});
   REQUIRE(second.rgb.size() == 9);
   CHECK(second.rgb[0] == value(0, 3));
@@ -142,7 +142,7 @@ TEST_CASE("blocks of rows are the whole picture") {
   write_exr(path, image, ExrPixel::single);
   std::vector<float> red;
   int next = 0;
-  read_picture_blocks(path, {}, [&](const Picture& block) {
+  read_picture_blocks(path, {}, [&](const PictureValues& block) {
     CHECK(block.part.y0 == next);
     next = block.part.y1;
     for (std::size_t i = 0; i < block.rgb.size(); i += 3)
@@ -156,13 +156,13 @@ TEST_CASE("blocks of rows are the whole picture") {
 TEST_CASE("an EXR with bands alone has no colours, one with a grey channel has grey ones") {
   const Folder folder;
   write_foreign(folder.path / "bands.exr", {"S0.600nm", "S0.500nm"});
-  const Picture bands = read_picture(folder.path / "bands.exr", {.bands = true});
+  const PictureValues bands = read_picture(folder.path / "bands.exr", {.bands = true});
   CHECK_FALSE(bands.header.has_color);
   CHECK(bands.rgb.empty());
   CHECK(bands.bands.size() == 12);
   CHECK_THROWS_AS(read_exr_image(folder.path / "bands.exr"), std::runtime_error);
   write_foreign(folder.path / "grey.exr", {"Y"});
-  const Picture grey = read_picture(folder.path / "grey.exr", {});
+  const PictureValues grey = read_picture(folder.path / "grey.exr", {});
   CHECK(grey.rgb[0] == value(0, 0));
   CHECK(grey.rgb[2] == value(0, 0));
 }
@@ -175,13 +175,13 @@ TEST_CASE("PNG and TIFF are read as the light that they show") {
   for (const char* name : {"a.png", "a.tif"}) {
     INFO(name);
     write_for_screens(folder.path / name, kColors, fine);
-    const Picture picture = read_picture(folder.path / name, {});
+    const PictureValues picture = read_picture(folder.path / name, {});
     CHECK(picture.part == PixelWindow{0, 0, 3, 2});
     check_near(picture.rgb, kColors, 1e-4);
     CHECK(picture.header.channels.size() == 3);
     CHECK(picture.header.channels[2].name == "B");
     CHECK(picture.header.channels[2].type == "16 bits");
-    const Picture second = read_picture(folder.path / name, {.rows = RowRange{1, 2}});
+    const PictureValues second = read_picture(folder.path / name, {.rows = RowRange{1, 2}});
     check_near(second.rgb, {kColors.begin() + 9, kColors.end()}, 1e-4);
   }
   OutputOptions light;
