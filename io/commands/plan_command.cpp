@@ -7,12 +7,13 @@
 namespace abbe {
 
 void add_options(CLI::App& app, PlanCommand& command) {
-  add_scene(app, command.scene_path);
+  add_scene(app, command.scene_path, command.strictness);
   add_settings(app, command.settings);
 }
 
 int run(const PlanCommand& command) {
-  const SceneRequest request = read_request(command.scene_path, command.settings, nullptr);
+  const SceneRequest request =
+      read_request(command.scene_path, command.settings, nullptr, command.strictness);
   tell_plan(make_plan(request.scene, request.settings));
   return 0;
 }
