@@ -47,6 +47,8 @@ LinearRgb map_to_gamut(const LinearRgb& color, GamutMapping mapping,
     return desaturate(color, luminance_weights);
   case GamutMapping::scale:
     return scale(color);
+  case GamutMapping::none:
+    return color;
   }
   return clip(color);
 }

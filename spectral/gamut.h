@@ -11,9 +11,11 @@ enum class GamutMapping : std::uint8_t {
   clip,       ///< each component by itself to 0..1; changes hue and luminance
   scale,      ///< the thesis's: shifted until none is negative, divided by the range [War05]
   desaturate, ///< toward the grey of equal luminance, only as far as needed
+  none,       ///< not at all: what a file of whole numbers cannot hold is clipped as it is written
 };
 
-/// The colour with all components in 0..1. A colour inside the gamut is returned unchanged.
+/// The colour with all components in 0..1, but for the mapping `none`. A colour inside the gamut is
+/// returned unchanged.
 ///
 /// `desaturate` keeps the luminance Y = weights . rgb and the dominant wavelength: the result is
 /// Y + t (rgb - Y) with the largest t <= 1 that fits, so its chromaticity lies on the straight line

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/film/film.h"
+#include "core/image/relative_error.h"
 #include "spectral/color.h"
 
 #include <optional>
@@ -17,11 +18,6 @@ struct ImageError {
   std::optional<double> band_noise; ///< see below; where asked for
 };
 
-/// The mean over pixels and linear RGB of (x - r)^2 / (r^2 + 0.01 mean(r)^2), where the mean of r
-/// is over pixels and channels. The images have the same size.
-[[nodiscard]] double relative_mse(const std::vector<LinearRgb>& image,
-                                  const std::vector<LinearRgb>& reference);
-
 /// Colours are compared under D65 at Y = 1, the white of a display.
 [[nodiscard]] ImageError image_error(const std::vector<Xyz>& image,
                                      const std::vector<Xyz>& reference);
@@ -36,9 +32,5 @@ struct ImageError {
 
 /// The image's colours, row by row.
 [[nodiscard]] std::vector<Xyz> pixels(const Film& film);
-
-/// The value below which `fraction` of all lie; the lowest and highest for 0 and 1. Linear between
-/// neighbours.
-[[nodiscard]] double quantile(std::vector<double> values, double fraction);
 
 } // namespace abbe::bench

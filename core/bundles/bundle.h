@@ -2,6 +2,7 @@
 
 #include "core/bands/band_range.h"
 #include "core/bundles/ray_record.h"
+#include "core/film/light_class.h"
 #include "geometry/rays/passage.h"
 #include "geometry/rays/ray_state.h"
 
@@ -34,6 +35,7 @@ struct Bundle {
   RayState state;
   RayKind kind = RayKind::camera; ///< what sent the ray
   Route route = Route::direct;
+  View view = View::direct; ///< what the first surface has done with the path
   bool traced = false;      ///< whether `hit` is known already, see extend.h
   Hit hit;                  ///< what the ray meets next
   bool straight_on = false; ///< the ray goes on behind a boundary that bends no light
@@ -62,6 +64,14 @@ struct Bundle {
   double divergence = 0.0; ///< of their directions
 };
 
+/// The view of what sets off from a bundle's hit, sent by a reflection or the like.
+[[nodiscard]] inline View view_on(const Bundle& bundle, RayKind kind) {
+  if (bundle.depth > 0) return bundle.view;
+  return kind == RayKind::reflected   ? View::reflection
+         : kind == RayKind::refracted ? View::refraction
+                                      : View::direct;
+}
+
 /// Makes `next`, which may be `bundle` itself, set off from its hit along a direction, untraced.
 /// `through` tells whether it goes to the other side of the surface. Its bands are the caller's,
 /// and so are its pdf where the direction is not specular, and its route where the surface lets no
@@ -75,6 +85,7 @@ inline void set_off(const Bundle& bundle, const dvec3& direction, bool through, 
   next.unseen_length = 0.0;
   next.pdf = 0.0;
   next.route = through ? let_through(bundle.route) : sent_back(bundle.route, true);
+  next.view = view_on(bundle, kind);
   next.depth = bundle.depth + 1;
   next.panes = bundle.panes;
   next.nonspecular_bounces = bundle.nonspecular_bounces;
@@ -110,6 +121,7 @@ struct CameraPaths {
     bundle.state = states[i];
     bundle.kind = RayKind::camera;
     bundle.route = Route::direct;
+    bundle.view = View::direct;
     bundle.traced = true;
     bundle.straight_on = false;
     bundle.hit = hits[i];

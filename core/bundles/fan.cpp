@@ -287,6 +287,7 @@ void go_on_as(const FanCell& cell, const Bundle& bundle, Bundle& next) {
   next.route = let_through(bundle.route);
   next.traced = cell.hit != nullptr;
   next.straight_on = false;
+  next.view = view_on(bundle, RayKind::refracted);
   next.depth = bundle.depth + 1;
   next.unseen_length = 0.0;
   next.pdf = 0.0;

@@ -90,8 +90,9 @@ void Film::raise_boundary(std::size_t pixel, std::uint32_t boundary) {
 }
 
 Film::Place Film::add(const FilmSample& sample, const Xyz& color, std::span<const float> radiance) {
-  const Place place = count(sample);
-  if (add(*beauty_, place, color) && bands_) add(*bands_, place, radiance);
+  Place place = count(sample);
+  place.refused = !add(*beauty_, place, color);
+  if (!place.refused && bands_) add(*bands_, place, radiance);
   return place;
 }
 
@@ -140,6 +141,7 @@ double Film::count(const Layer& layer, std::size_t pixel) const {
 }
 
 double Film::mean(const Layer& layer, std::size_t pixel, std::size_t value) const {
+  if (layer.form().kind == LayerKind::nearest) return layer.nearest(pixel).value_or(0.0);
   const double n = count(layer, pixel);
   const auto sum = static_cast<double>(layer.sum(pixel, value));
   return n > 0.0 ? sum * layer.form().quantum / n : 0.0;

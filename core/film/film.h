@@ -67,6 +67,7 @@ public:
   struct Place {
     std::size_t pixel;
     Stratum stratum;
+    bool refused = false; ///< the beauty has refused the sample's
   };
 
   /// Adds a sample's beauty. `radiance` holds one value per band when the film keeps bands.
@@ -86,6 +87,9 @@ public:
   void add(LayerId layer, const Place& place, std::span<const float> radiance) {
     at(layer).add(place.pixel, place.stratum, radiance, refused_);
   }
+  void add(LayerId layer, const Place& place, const ColorSteps& steps) {
+    at(layer).add(place.pixel, place.stratum, steps, refused_);
+  }
   void add_id(LayerId layer, const Place& place, std::uint32_t id) {
     at(layer).add_id(place.pixel, id);
   }
@@ -98,6 +102,9 @@ public:
   /// The same in a layer of colours.
   void splat(LayerId layer, int x, int y, const Xyz& color, double u) {
     at(layer).splat(window_.index(x, y), color, u, refused_);
+  }
+  void splat(LayerId layer, int x, int y, std::span<const float> radiance, double u) {
+    at(layer).splat(window_.index(x, y), radiance, u, refused_);
   }
   /// Counts the light paths whose splats were added, in passes; parts of a pass are rounded to
   /// 2^-32.

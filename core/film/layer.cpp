@@ -1,5 +1,6 @@
 #include "core/film/layer.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cassert>
 #include <cmath>
@@ -13,6 +14,9 @@ namespace {
 constexpr double kLargestSteps = 0x1p62;
 /// Splats are added without a lock: so many threads as there may be must fit above kLargestSteps.
 constexpr double kLargestSplat = 0x1p50;
+
+/// Of the kind `nearest` a sum is this less the value in quanta, so that 0 stands for none.
+constexpr std::int64_t kFar = std::int64_t{1} << 53;
 
 /// What a splat brings into memory of band sums in a file: about a page, whichever it is.
 constexpr std::size_t kTouchedBySplat = 4096 / sizeof(std::int64_t);
@@ -44,8 +48,7 @@ bool fits(double value, double steps) {
 }
 
 /// Adds to the sum of all samples, and to that of the first stratum unless it is null.
-void sum_up(std::int64_t& total, std::int64_t* first, double steps, RefusedValues& refused) {
-  const std::int64_t more = std::llround(steps);
+void sum_up(std::int64_t& total, std::int64_t* first, std::int64_t more, RefusedValues& refused) {
   std::int64_t next = 0;
   if (__builtin_add_overflow(total, more, &next)) return count(refused.overflow);
   total = next;
@@ -68,6 +71,7 @@ std::size_t LayerForm::values() const {
   case LayerKind::bands:
     return static_cast<std::size_t>(bands);
   case LayerKind::value:
+  case LayerKind::nearest:
     return 1;
   case LayerKind::ids:
     break;
@@ -91,18 +95,38 @@ bool Layer::add(std::size_t pixel, Stratum stratum, const Xyz& color, RefusedVal
   if (!fits(color.z, z)) return refuse(color.z, refused);
   std::int64_t* const sums = &sums_[3 * pixel];
   std::int64_t* const first = first_sums(3 * pixel, stratum);
-  sum_up(sums[0], first, x, refused);
-  sum_up(sums[1], first ? first + 1 : nullptr, y, refused);
-  sum_up(sums[2], first ? first + 2 : nullptr, z, refused);
+  sum_up(sums[0], first, std::llround(x), refused);
+  sum_up(sums[1], first ? first + 1 : nullptr, std::llround(y), refused);
+  sum_up(sums[2], first ? first + 2 : nullptr, std::llround(z), refused);
   return true;
 }
 
 bool Layer::add(std::size_t pixel, Stratum stratum, double value, RefusedValues& refused) {
-  assert(form_.kind == LayerKind::value);
+  assert(form_.kind == LayerKind::value || form_.kind == LayerKind::nearest);
   const double steps = value / form_.quantum;
+  if (form_.kind == LayerKind::nearest) return come_near(pixel, steps, refused);
   if (!(std::abs(steps) <= kLargestSteps)) return refuse(value, refused, true);
-  sum_up(sums_[pixel], first_sums(pixel, stratum), steps, refused);
+  sum_up(sums_[pixel], first_sums(pixel, stratum), std::llround(steps), refused);
   return true;
+}
+
+bool Layer::come_near(std::size_t pixel, double steps, RefusedValues& refused) {
+  if (!(steps >= 0.0 && steps < static_cast<double>(kFar))) return refuse(steps, refused);
+  sums_[pixel] = std::max<std::int64_t>(sums_[pixel], kFar - std::llround(steps));
+  return true;
+}
+
+std::optional<double> Layer::nearest(std::size_t pixel) const {
+  if (sums_[pixel] == 0) return std::nullopt;
+  return static_cast<double>(kFar - sums_[pixel]) * form_.quantum;
+}
+
+void Layer::add(std::size_t pixel, Stratum stratum, const ColorSteps& steps,
+                RefusedValues& refused) {
+  assert(form_.kind == LayerKind::xyz);
+  std::int64_t* const first = first_sums(3 * pixel, stratum);
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    sum_up(sums_[3 * pixel + i], first ? first + i : nullptr, steps[i], refused);
 }
 
 void Layer::add(std::size_t pixel, Stratum stratum, std::span<const float> radiance,
@@ -114,7 +138,7 @@ void Layer::add(std::size_t pixel, Stratum stratum, std::span<const float> radia
   for (const double value : radiance) {
     const double steps = value / quantum;
     if (fits(value, steps))
-      sum_up(*sum, first, steps, refused);
+      sum_up(*sum, first, std::llround(steps), refused);
     else
       refuse(value, refused);
     ++sum;
@@ -157,6 +181,10 @@ void Layer::splat(std::size_t pixel, std::span<const float> radiance, double& u,
 
 void Layer::merge(const Layer& other, std::size_t pixel, bool all_first, RefusedValues& refused) {
   assert(form_ == other.form_);
+  if (form_.kind == LayerKind::nearest) {
+    sums_[pixel] = std::max(sums_[pixel], other.sums_[pixel]);
+    return;
+  }
   for (std::size_t i = pixel * values_; i < (pixel + 1) * values_; ++i) {
     std::int64_t next = 0;
     if (__builtin_add_overflow(sums_[i], other.sums_[i], &next)) {

@@ -5,8 +5,10 @@
 #include "core/film/strata.h"
 #include "spectral/color.h"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -16,11 +18,15 @@ struct LayerRow;
 
 /// What a layer holds of each pixel.
 enum class LayerKind : std::uint8_t {
-  xyz,   ///< a colour
-  bands, ///< one value for each band
-  value, ///< one value, which may be negative
-  ids,   ///< which numbers its samples met, and how often
+  xyz,     ///< a colour
+  bands,   ///< one value for each band
+  value,   ///< one value, which may be negative
+  ids,     ///< which numbers its samples met, and how often
+  nearest, ///< the smallest of the samples' values, which are 0 or more
 };
+
+/// A colour in whole quanta.
+using ColorSteps = std::array<std::int64_t, 3>;
 
 /// What the mean of a layer is taken over.
 enum class LayerMean : std::uint8_t {
@@ -70,7 +76,10 @@ public:
 
   /// Adds a sample's value. False when it was refused: a colour is refused as a whole.
   bool add(std::size_t pixel, Stratum stratum, const Xyz& color, RefusedValues& refused);
+  /// Of the kind `value`, or `nearest`.
   bool add(std::size_t pixel, Stratum stratum, double value, RefusedValues& refused);
+  /// Adds a colour that is in quanta already, parts of which may be negative.
+  void add(std::size_t pixel, Stratum stratum, const ColorSteps& steps, RefusedValues& refused);
   /// Adds a value for each band; they are refused one by one.
   void add(std::size_t pixel, Stratum stratum, std::span<const float> radiance,
            RefusedValues& refused);
@@ -94,6 +103,8 @@ public:
   [[nodiscard]] std::int64_t first_sum(std::size_t pixel, std::size_t value = 0) const {
     return first_sums_[pixel * values_ + value];
   }
+  /// Of the kind `nearest`: nothing where no sample brought a value.
+  [[nodiscard]] std::optional<double> nearest(std::size_t pixel) const;
   [[nodiscard]] const IdCounts& ids() const { return ids_; }
 
   // What the layer holds of a run of pixels, to keep it and to take it back: core/film/film_row.h.
@@ -108,6 +119,7 @@ private:
   [[nodiscard]] std::int64_t* first_sums(std::size_t i, Stratum stratum) {
     return form_.strata && stratum == Stratum::first ? &first_sums_[i] : nullptr;
   }
+  bool come_near(std::size_t pixel, double steps, RefusedValues& refused);
   void splat_value(std::size_t i, double value, double& u, RefusedValues& refused);
 
   LayerForm form_;

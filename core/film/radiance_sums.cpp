@@ -44,12 +44,16 @@ void RadianceSums::clear() {
 void RadianceSums::add(int source, BandSpan<const float> throughput, const BandTable& reflectance,
                        float factor) {
   const SourcePlan& s = plan_.sources[static_cast<std::size_t>(source)];
+  if (parts_) [[unlikely]]
+    parts_->add(s, throughput, reflectance, factor);
   add_to(sums(static_cast<std::size_t>(s.accumulator)), s.factor, throughput, reflectance, factor);
 }
 
 void RadianceSums::add_mapped(int source, BandSpan<const float> throughput,
                               const BandTable& reflectance, float factor) {
   const SourcePlan& s = plan_.sources[static_cast<std::size_t>(source)];
+  if (parts_) [[unlikely]]
+    parts_->add(s, throughput, reflectance, factor);
   add_to(sums(mapped_ + static_cast<std::size_t>(s.accumulator)), s.factor, throughput, reflectance,
          factor);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bands/band_span.h"
+#include "core/film/radiance_parts.h"
 #include "core/plan/plan.h"
 #include "spectral/color.h"
 
@@ -14,6 +15,12 @@ class RadianceSums {
 public:
   /// `apart`: what the photon map brings is kept apart, so that `own_color` is known.
   explicit RadianceSums(const Plan& plan, bool apart = false);
+
+  /// From now on what is added is also divided; null: not any more. Keeps the pointer.
+  void divide(RadianceParts* parts) { parts_ = parts; }
+  [[nodiscard]] bool divided() const { return parts_ != nullptr; }
+  /// Says what the light that comes next is a part of. Only sums that are divided may be asked.
+  void classify(View view, Arrival arrival) { parts_->classify(view, arrival); }
 
   void clear();
   /// Adds throughput * reflectance * factor of a source's light, for the bands of `throughput`.
@@ -52,6 +59,7 @@ private:
   std::vector<double> sums_; ///< in double: deep trees add millions of faint terms
   double transparency_ = 0.0;
   Xyz transmittance_{0.0, 0.0, 0.0};
+  RadianceParts* parts_ = nullptr;
   BandRange used_; ///< the sums outside are 0
   std::vector<float> radiance_;
 };

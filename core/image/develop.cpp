@@ -1,13 +1,12 @@
 #include "core/image/develop.h"
 
+#include "core/image/develop_layers.h"
 #include "core/image/metadata.h"
-#include "spectral/adaptation.h"
+#include "core/image/scene_linear_space.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace abbe {
@@ -15,37 +14,6 @@ namespace {
 
 PixelWindow full_window(const Plan& plan) {
   return {0, 0, plan.settings.width, plan.settings.height};
-}
-
-/// As colourspaces.csv calls it.
-const char* name(SceneLinearSpace space) {
-  switch (space) {
-  case SceneLinearSpace::rec709:
-    return "rec709";
-  case SceneLinearSpace::acescg:
-    return "acescg";
-  case SceneLinearSpace::aces2065_1:
-    return "aces2065-1";
-  case SceneLinearSpace::rec2020:
-    return "rec2020";
-  }
-  return "";
-}
-
-/// From XYZ to a scene-linear space. The ACES spaces have another white than D65, which lies where
-/// (1, 1, 1) does in Rec. 709: Bradford's adaptation takes white to white, as colour pipelines that
-/// read the tags expect.
-Matrix3 matrix_to(SceneLinearSpace space) {
-  const ColorSpace target = find_color_space(name(space)).value();
-  const Matrix3 adaptation =
-      bradford_adaptation(to_xyz(kSrgbWhite, 1.0), to_xyz(target.white, 1.0));
-  return multiply(inverse(rgb_to_xyz_matrix(target.primaries, target.white)), adaptation);
-}
-
-/// A value as pictures have it. What is beyond single precision becomes the largest number there.
-float as_float(double value) {
-  constexpr double kMost = std::numeric_limits<float>::max();
-  return static_cast<float>(std::clamp(value, -kMost, kMost));
 }
 
 std::vector<float> linear_rgba(const Film& film, const PixelWindow& part, SceneLinearSpace space) {
@@ -87,6 +55,7 @@ SceneLinearImage develop_scene_linear(const Film& film, const Plan& plan, SceneL
     image.metadata.push_back(std::move(entry));
   if (const auto layer = film.find(kTransmittance))
     image.channels = transmittance_channels(film, *layer, space);
+  develop_layers(film, plan, matrix_to(space), image);
   if (!plan.settings.reports_errors()) return image;
   ImageChannel samples{"samples", {}}, error{"error.Y", {}};
   for_each_pixel(film.window(), [&](int x, int y) {

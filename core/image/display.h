@@ -6,7 +6,7 @@ namespace abbe {
 
 [[nodiscard]] DisplayEncoding encoding_of(const DisplaySettings& settings);
 
-/// Takes colours to a display: exposure, adaptation, matrix, gamut, transfer function.
+/// Takes colours to a display: exposure, adaptation, matrix, tone curve, gamut, transfer function.
 class DisplayTransform {
 public:
   /// Throws std::invalid_argument for a white point that cannot be white.
@@ -20,6 +20,7 @@ public:
 
 private:
   GamutMapping gamut_;
+  ToneCurve tone_;
   TransferFunction transfer_;
   Matrix3 to_rgb_;
   Vector3 luminance_weights_;

@@ -34,9 +34,10 @@ struct SceneLinearImage {
   std::vector<ImageChannel> channels = {};
 };
 
-/// Picture for a screen, exposed. `encoded` is brought into its gamut, so within [0, 1], and has
-/// the screen's transfer function; `linear` is the light of the same primaries as it is, unclipped.
-/// Interleaved R, G, B, no alpha, rows from the top of `data`.
+/// Picture for a screen, exposed. `encoded` is brought into its gamut, so within [0, 1] but
+/// for the gamut mapping `none`, and has the screen's transfer function; `linear` is the light of
+/// the same primaries as it is, unclipped. Interleaved R, G, B, no alpha, rows from the top of
+/// `data`.
 struct DisplayImage {
   PixelWindow display, data;
   std::vector<float> encoded;

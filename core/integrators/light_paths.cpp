@@ -41,8 +41,10 @@ LightPaths::LightPaths(const Plan& plan, const World& world, const Emission& emi
                        const PlacedCamera* camera, Film& film)
     : RandomWalk(plan, world, camera ? camera->pixel_angle() : 0.0, Transport::flux),
       emission_(emission), camera_(camera), film_(film), lost_splats_(film.find(kLostSplats)),
-      to_camera_(plan, world), sums_(plan), light_(plan.stride),
-      limit_(depth_limit(plan.settings)) {}
+      to_camera_(plan, world), sums_(plan), light_(plan.stride), limit_(depth_limit(plan.settings)),
+      part_layers_(plan, film), parts_(plan) {
+  if (plan.settings.relightable) sums_.divide(&parts_);
+}
 
 bool LightPaths::trace(const EmittedRay& ray, const Sampler& sampler, double share,
                        PhotonBatch* photons, double photon_share, RayCounts& counts) {
@@ -70,7 +72,10 @@ bool LightPaths::trace(const EmittedRay& ray, const Sampler& sampler, double sha
 
 void LightPaths::add_splats() {
   const std::size_t bands = static_cast<std::size_t>(film_.bands());
+  const std::size_t units =
+      plan_.settings.relightable ? static_cast<std::size_t>(plan_.grid.count()) : 0;
   const float* radiance = held_radiance_.data();
+  const float* unit = held_unit_.data();
   for (const HeldSplat& s : held_) {
     if (s.lost) {
       film_.splat(*lost_splats_, s.x, s.y, s.color, s.rounding);
@@ -78,6 +83,12 @@ void LightPaths::add_splats() {
     }
     film_.add_splat(s.x, s.y, s.color, {radiance, bands}, s.rounding);
     radiance += bands;
+    if (part_layers_.empty()) continue;
+    part_layers_.splat(
+        s.x, s.y, s.color, {unit, units},
+        {plan_.sources[static_cast<std::size_t>(s.source)].group, View::direct, s.arrival},
+        s.rounding);
+    unit += units;
   }
   drop_splats();
 }
@@ -85,14 +96,17 @@ void LightPaths::add_splats() {
 void LightPaths::drop_splats() {
   held_.clear();
   held_radiance_.clear();
+  held_unit_.clear();
 }
 
 bool LightPaths::start(const EmittedRay& ray) {
   const SourcePlan& source = plan_.sources[static_cast<std::size_t>(ray.source)];
   BandRange lit{plan_.first_band, plan_.last_band};
-  while (!lit.empty() && source.factor[lit.first] == 0.0f)
+  // A relightable rendering decides as if the light were in all bands.
+  const bool all = plan_.settings.relightable;
+  while (!all && !lit.empty() && source.factor[lit.first] == 0.0f)
     ++lit.first;
-  while (!lit.empty() && source.factor[lit.last - 1] == 0.0f)
+  while (!all && !lit.empty() && source.factor[lit.last - 1] == 0.0f)
     --lit.last;
   if (lit.empty()) return false;
   bundle() = Bundle{};
@@ -105,7 +119,7 @@ bool LightPaths::start(const EmittedRay& ray) {
   float* const row = throughput().data;
   for (int b = lit.first; b < lit.last; ++b) {
     const float carried = live[b];
-    row[b] = factor[b] != 0.0f ? carried : 0.0f;
+    row[b] = all || factor[b] != 0.0f ? carried : 0.0f;
   }
   return true;
 }
@@ -200,6 +214,7 @@ void LightPaths::splat(const Hit& hit) {
   const double weight =
       stands_for * flux_ * share_ * column.weight * row.weight / seen->inverse_importance;
   sums_.clear();
+  if (sums_.divided()) parts_.clear();
   sums_.add(source_, light, ones_, static_cast<float>(weight));
   hold_back(column.pixel, row.pixel);
 }
@@ -208,11 +223,18 @@ void LightPaths::hold_back(int x, int y) {
   const double rounding = numbers(kSplatRounding).x;
   if (beyond_limit()) {
     if (lost_splats_)
-      held_.push_back({x, y, lost_light(sums_.color().y, plan_.quantum), rounding, true});
+      held_.push_back({x, y, lost_light(sums_.color().y, plan_.quantum), rounding, true, source_,
+                       Arrival::caustic});
     return;
   }
   ++counts_->splats;
-  held_.push_back({x, y, sums_.color(), rounding, false});
+  const Arrival arrival = bundle().nonspecular_bounces == 0 ? Arrival::caustic : Arrival::indirect;
+  held_.push_back({x, y, sums_.color(), rounding, false, source_, arrival});
+  const int group = plan_.sources[static_cast<std::size_t>(source_)].group;
+  if (plan_.settings.relightable && group >= 0) {
+    const std::span<const float> unit = parts_.unit_radiance(static_cast<std::size_t>(group));
+    held_unit_.insert(held_unit_.end(), unit.begin(), unit.end());
+  }
   if (film_.bands() == 0) return;
   const std::span<const float> radiance = sums_.radiance();
   held_radiance_.insert(held_radiance_.end(), radiance.begin(), radiance.end());

@@ -2,6 +2,7 @@
 
 #include "core/cameras/placed_camera.h"
 #include "core/film/film.h"
+#include "core/film/part_layers.h"
 #include "core/film/radiance_sums.h"
 #include "core/integrators/end_check.h"
 #include "core/integrators/photon_map.h"
@@ -44,6 +45,8 @@ private:
     Xyz color;
     double rounding; ///< the random number that rounds it
     bool lost;       ///< it lies beyond the depth limit, which takes it from the picture
+    int source;      ///< index into Plan::sources
+    Arrival arrival;
   };
 
   /// Starts the bundle of a path. False where its light is dark in all bands.
@@ -75,6 +78,9 @@ private:
   EndCheck end_check_;
   std::vector<HeldSplat> held_;
   std::vector<float> held_radiance_; ///< of the splats that are not lost, where the film has bands
+  PartLayers part_layers_;
+  RadianceParts parts_;          ///< of the splat that `sums_` holds
+  std::vector<float> held_unit_; ///< of the splats that are not lost, of a relightable rendering
 };
 
 } // namespace abbe

@@ -68,6 +68,8 @@ bool Path::trace(const CameraPaths& start, const Sampler& sampler, RadianceSums&
 
 void Path::shade() {
   if (!single_scatter_.arrive(bundle(), throughput())) return wait();
+  if (sums_->divided()) [[unlikely]]
+    sums_->classify(bundle().view, arrival_of_seen());
   gather();
   if (!bundle().hit.met()) return;
   if (bundle().depth != beyond_.limit) return go_on();
@@ -92,6 +94,25 @@ void Path::look_through() {
   if (!find_material().facts().passes) return;
   prepare_scattering();
   pass(1.0);
+}
+
+/// How light has come that the bundle sees by itself.
+Arrival Path::arrival_of_seen() const {
+  const bool by_specular = bundle().pdf == 0.0;
+  switch (bundle().nonspecular_bounces) {
+  case 0:
+    return Arrival::direct;
+  case 1:
+    return by_specular ? Arrival::caustic : Arrival::direct;
+  default:
+    return Arrival::indirect;
+  }
+}
+
+/// The same of a light that is sampled at the bundle's hit (`straight`), or of photons there.
+Arrival Path::arrival_here(bool straight) const {
+  if (bundle().nonspecular_bounces > 0) return Arrival::indirect;
+  return straight ? Arrival::direct : Arrival::caustic;
 }
 
 void Path::gather() {
@@ -202,10 +223,14 @@ void Path::sample_light(const Hit& hit) {
   for (int b = light.bands.first; b < light.bands.last; ++b)
     light[b] *= carried[b] * arriving[b];
   lights_.tint(*sample, light);
+  if (sums_->divided()) [[unlikely]]
+    sums_->classify(bundle().view, arrival_here(true));
   sums_->add(sample->source, light, ones_, static_cast<float>(weight));
 }
 
 void Path::look_up_photons(const Hit& hit) {
+  if (sums_->divided()) [[unlikely]]
+    sums_->classify(bundle().view, arrival_here(false));
   photons_->for_each_near(
       hit, scattering_.transmits_nonspecular(), [&](const Photon& photon, const float* flux) {
         const BandSpan<const float> carried = throughput();

@@ -44,6 +44,8 @@ private:
   [[nodiscard]] Scattering::Choice branch();
   void sample_light(const Hit& hit);
   void look_up_photons(const Hit& hit);
+  [[nodiscard]] Arrival arrival_of_seen() const;
+  [[nodiscard]] Arrival arrival_here(bool straight) const;
   [[nodiscard]] bool found_otherwise(const Hit& emitting) const;
   [[nodiscard]] bool splatted() const;
   /// True after a surface that scatters other than specularly and then at least one that mirrors or

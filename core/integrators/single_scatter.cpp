@@ -76,6 +76,9 @@ void SingleScatter::add(const Bundle& bundle, double length, const MediumPlan& m
   // s exp(-s t) over the pdf of the place; `absorb` has applied exp(-s t) already.
   const double weight = scattered * std::exp(extinction * distance);
 
+  if (sums_->divided()) [[unlikely]]
+    sums_->classify(bundle.view,
+                    bundle.nonspecular_bounces == 0 ? Arrival::direct : Arrival::indirect);
   for (const IncomingLight& light : incoming_) {
     const RayState towards_light{{point, light.direction}, {}, nesting};
     const float* arriving = light.sample

@@ -11,7 +11,8 @@ void SkyView::add(const Bundle& bundle, bool suns, BandSpan<float> throughput,
     sums.let_through(throughput, sky.lets_through && nothing_shows);
     if (sky.transparent) return;
   }
-  lights_.add_sky(direction, bundle.pdf, suns, throughput, sums);
+  const dvec3 scattered_at = bundle.state.ray.at(-bundle.unseen_length);
+  lights_.add_sky({scattered_at, direction, bundle.pdf}, suns, throughput, sums);
 }
 
 } // namespace abbe

@@ -84,6 +84,8 @@ bool Whitted::trace(const CameraPaths& paths, const Sampler& sampler, RadianceSu
 
 void Whitted::shade_ray(RadianceSums& sums, RayCounts& counts) {
   if (!single_scatter_.arrive(bundle(), throughput())) return wait();
+  if (sums.divided()) [[unlikely]]
+    sums.classify(bundle().view, Arrival::direct);
   if (!bundle().hit.met()) return sky_.add(bundle(), true, throughput(), sums);
   const MaterialPlan* material = &plan_.materials[bundle().hit.material.index()];
   if (material->mixture) material = &part_of(plan_, *material, decisions_.next());
@@ -98,7 +100,15 @@ void Whitted::shade(const Bundle& bundle, const MaterialPlan& material, Radiance
   };
   const Hit& hit = bundle.hit;
   if (material.emits(hit)) add(material.emission_source, ones_);
-  if (!material.ambient.zero()) add(Plan::kAmbient, material.ambient);
+  if (!material.ambient.zero()) {
+    const auto classify = [&](Arrival arrival) {
+      if (sums.divided()) [[unlikely]]
+        sums.classify(bundle.view, arrival);
+    };
+    classify(Arrival::indirect);
+    add(Plan::kAmbient, material.ambient);
+    classify(Arrival::direct);
+  }
   if (material.lit()) add_lights(bundle, material, sums, counts);
 }
 

@@ -21,6 +21,10 @@ std::optional<LightDisc> disc(const DirectionalLight&) {
   return std::nullopt;
 }
 
+LightReach reach(const DirectionalLight&, double value) {
+  return LightReach::distant(pi * value);
+}
+
 double power(const DirectionalLight&, double value, double scene_disc) {
   return pi * value * scene_disc;
 }

@@ -3,6 +3,7 @@
 #include "core/lights/emission_goals.h"
 #include "core/lights/illumination.h"
 #include "core/lights/light_disc.h"
+#include "core/lights/light_reach.h"
 #include "core/sampling/sampler.h"
 
 #include <optional>
@@ -14,6 +15,7 @@ namespace abbe {
 [[nodiscard]] std::optional<dvec3> position(const DirectionalLight& light);
 [[nodiscard]] Illumination illumination(const DirectionalLight& light, const dvec3& point);
 [[nodiscard]] std::optional<LightDisc> disc(const DirectionalLight& light);
+[[nodiscard]] LightReach reach(const DirectionalLight& light, double value);
 [[nodiscard]] double power(const DirectionalLight& light, double value, double scene_disc);
 [[nodiscard]] double brightest(const DirectionalLight& light, double value, double nearest);
 [[nodiscard]] bool endless_flux(const DirectionalLight& light);

@@ -14,6 +14,10 @@ std::optional<LightDisc> disc(const Light& light) {
   return std::visit([](const auto& kind) { return disc(kind); }, light.kind);
 }
 
+LightReach reach(const Light& light, double value) {
+  return std::visit([&](const auto& kind) { return reach(kind, value); }, light.kind);
+}
+
 double power(const Light& light, double value, double scene_disc) {
   return std::visit([&](const auto& kind) { return power(kind, value, scene_disc); }, light.kind);
 }

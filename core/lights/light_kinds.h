@@ -22,8 +22,12 @@ namespace abbe {
 /// one direction.
 [[nodiscard]] std::optional<LightDisc> disc(const Light& light);
 
-/// What lights are chosen in proportion to: the flux that a light of this value sends out, or sends
-/// through a disc about the scene, of the given area, where it does not fall off with distance.
+/// What a light of this value can send to a place, for the choice among lights.
+[[nodiscard]] LightReach reach(const Light& light, double value);
+
+/// What light paths choose their lights in proportion to: the flux that a light of this value sends
+/// out, or sends through a disc about the scene, of the given area, where it does not fall off with
+/// distance.
 [[nodiscard]] double power(const Light& light, double value, double scene_disc);
 
 /// The most that a light of this value counts for when the film's quantum is chosen. Lights that

@@ -1,7 +1,6 @@
 #include "core/lights/lights.h"
 
 #include "core/lights/light_kinds.h"
-#include "core/lights/scene_extent.h"
 
 #include <algorithm>
 #include <limits>
@@ -15,11 +14,15 @@ using std::numbers::pi;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-/// The area of a disc about the scene, through which goes what of distant light reaches it. A scene
-/// without extent still has its lights.
-double scene_disc(const Scene& scene) {
-  const double size = scene_size(scene);
-  return size > 0.0 ? 0.25 * pi * size * size : pi;
+/// The reach of a surface of radiance 1. A flat one shines along its normal; what has all normals,
+/// or both sides of a flat one, shines to all sides: with a quarter of its area as a solid shows,
+/// or half of it.
+LightReach reach_of(const SampledSurface& surface, const Bounds& box) {
+  const double area = std::visit([](const auto& s) { return s.area(); }, surface);
+  const auto* flat = std::get_if<FlatSurface>(&surface);
+  if (!flat) return {box, 0.25 * area, 0.0};
+  if (flat->both_sides) return {box, 0.5 * area, 0.0};
+  return LightReach(box, area, 0.0).along(flat->normal, 0.0, 0.5 * pi);
 }
 
 } // namespace
@@ -30,7 +33,23 @@ Lights::Lights(const Scene& scene, const Plan& plan)
   add_lights();
   add_shapes();
   add_environment();
-  share_chances();
+  std::vector<LightReach> reaches;
+  for (const Choice& choice : choices_)
+    reaches.push_back(choice.reach);
+  hierarchy_ = LightHierarchy(reaches);
+}
+
+/// Lights are weighed by the bands that are seen. No light that shows in any of them counts 0.
+double Lights::seen_mean(const Curve& spectrum) const {
+  const std::vector<double> means = band_means(plan_.grid, spectrum);
+  double sum = 0.0;
+  for (int b = 0; b < plan_.grid.count(); ++b)
+    sum += plan_.shares.of({b, b + 1}) * means[static_cast<std::size_t>(b)];
+  return sum;
+}
+
+void Lights::add(Choice&& choice) {
+  if (choice.reach.strength() > 0.0) choices_.push_back(std::move(choice));
 }
 
 void Lights::place(const World& world) {
@@ -40,17 +59,13 @@ void Lights::place(const World& world) {
 }
 
 void Lights::add_lights() {
-  const double around = scene_disc(scene_);
   for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
     const Light& light = scene_.lights[i];
-    Choice choice{PointOfLight{&light}, plan_.light_source(i)};
-    choice.power = power(light, band_mean(light.spectrum, plan_.grid), around);
-    if (!(choice.power > 0.0)) continue;
-    if (const auto filled = disc(light)) {
-      choice.extent = *filled;
-      discs_.push_back(static_cast<int>(choices_.size()));
-    }
-    choices_.push_back(std::move(choice));
+    const std::size_t before = choices_.size();
+    const auto filled = disc(light);
+    add({filled ? Extent(*filled) : Extent(PointOfLight{&light}), plan_.light_source(i),
+         reach(light, seen_mean(light.spectrum))});
+    if (filled && choices_.size() > before) discs_.push_back(static_cast<int>(before));
   }
 }
 
@@ -64,49 +79,33 @@ void Lights::add_shapes() {
     SurfaceLight light{*sampled_surface(placed, material.emits_behind),
                        is_solid(placed.shape),
                        {static_cast<std::int32_t>(i)}};
-    const double area = std::visit([](const auto& s) { return s.area(); }, light.surface);
-    const double sides = !light.solid && material.emits_behind ? 2.0 : 1.0;
-    Choice choice{std::move(light), material.emission_source};
-    choice.power = pi * sides * area * band_mean(scene_.materials[id].emission, plan_.grid);
-    if (!(choice.power > 0.0)) continue;
-    light_of_shape_[i] = static_cast<int>(choices_.size());
-    choices_.push_back(std::move(choice));
+    const LightReach reach =
+        reach_of(light.surface, bounds(placed)).times(seen_mean(scene_.materials[id].emission));
+    const std::size_t before = choices_.size();
+    add({std::move(light), material.emission_source, reach});
+    if (choices_.size() > before) light_of_shape_[i] = static_cast<int>(before);
   }
 }
 
 void Lights::add_environment() {
   if (!plan_.environment) return;
-  Choice choice{EnvironmentLight{&*plan_.environment}, plan_.environment_source};
-  choice.power = scene_disc(scene_) * plan_.environment->total() *
-                 band_mean(scene_.environment->light, plan_.grid);
-  if (!(choice.power > 0.0)) return;
-  environment_ = static_cast<int>(choices_.size());
-  choices_.push_back(std::move(choice));
-}
-
-void Lights::share_chances() {
-  double total = 0.0;
-  for (const Choice& choice : choices_)
-    total += choice.power;
-  double sum = 0.0;
-  for (Choice& choice : choices_) {
-    choice.chance = choice.power / total;
-    sum += choice.power;
-    choice.cumulative = sum / total;
-  }
+  const LightReach reach =
+      LightReach::distant(plan_.environment->total() * seen_mean(scene_.environment->light));
+  const std::size_t before = choices_.size();
+  add({EnvironmentLight{&*plan_.environment}, plan_.environment_source, reach});
+  if (choices_.size() > before) environment_ = static_cast<int>(before);
 }
 
 std::optional<LightSample> Lights::sample(const PointOfLight& light, const Choice& choice,
                                           const dvec3& place, const dvec2&) {
   const Illumination seen = illumination(*light.light, place);
   if (!(seen.strength > 0.0)) return std::nullopt;
-  return LightSample{seen.direction, seen.distance, 0.0, pi * seen.strength / choice.chance,
-                     choice.source};
+  return LightSample{seen.direction, seen.distance, 0.0, pi * seen.strength, choice.source};
 }
 
 std::optional<LightSample> Lights::sample(const LightDisc& disc, const Choice& choice, const dvec3&,
                                           const dvec2& u) {
-  const double pdf = choice.chance * disc.directions.pdf();
+  const double pdf = disc.directions.pdf();
   return LightSample{disc.directions.sample(u), kFar, pdf, disc.radiance / pdf, choice.source};
 }
 
@@ -114,11 +113,10 @@ std::optional<LightSample> Lights::sample(const SurfaceLight& light, const Choic
                                           const dvec3& place, const dvec2& u) {
   const auto seen = std::visit([&](const auto& s) { return s.sample(place, u); }, light.surface);
   if (!seen) return std::nullopt;
-  const double pdf = choice.chance * seen->pdf;
   return LightSample{seen->direction,
                      seen->distance,
-                     pdf,
-                     1.0 / pdf,
+                     seen->pdf,
+                     1.0 / seen->pdf,
                      choice.source,
                      false,
                      light.may_be_hidden ? light.shape : ShapeId{}};
@@ -127,18 +125,21 @@ std::optional<LightSample> Lights::sample(const SurfaceLight& light, const Choic
 std::optional<LightSample> Lights::sample(const EnvironmentLight& light, const Choice& choice,
                                           const dvec3&, const dvec2& u) {
   const dvec3 direction = light.map->sample(u);
-  const double pdf = choice.chance * light.map->pdf(direction);
+  const double pdf = light.map->pdf(direction);
   if (!(pdf > 0.0)) return std::nullopt;
   return LightSample{direction, kFar, pdf, 1.0 / pdf, choice.source, true};
 }
 
 std::optional<LightSample> Lights::sample(const dvec3& place, double choice, const dvec2& u) const {
-  if (choices_.empty()) return std::nullopt;
-  const auto chosen =
-      std::upper_bound(choices_.begin(), choices_.end() - 1, choice,
-                       [](double value, const Choice& c) { return value < c.cumulative; });
-  return std::visit([&](const auto& extent) { return sample(extent, *chosen, place, u); },
-                    chosen->extent);
+  const auto chosen = hierarchy_.choose(place, choice);
+  if (!chosen) return std::nullopt;
+  const Choice& light = choices_[static_cast<std::size_t>(chosen->light)];
+  auto seen =
+      std::visit([&](const auto& extent) { return sample(extent, light, place, u); }, light.extent);
+  if (!seen) return std::nullopt;
+  seen->pdf *= chosen->chance;
+  seen->weight /= chosen->chance;
+  return seen;
 }
 
 double Lights::pdf(const dvec3& place, const Hit& hit) const {
@@ -147,7 +148,7 @@ double Lights::pdf(const dvec3& place, const Hit& hit) const {
   const Choice& choice = choices_[static_cast<std::size_t>(index)];
   const auto& light = std::get<SurfaceLight>(choice.extent);
   if (light.solid && !hit.entering) return 0.0;
-  return choice.chance *
+  return hierarchy_.chance(index, place) *
          std::visit([&](const auto& s) { return s.pdf(place, hit.point, hit.normal); },
                     light.surface);
 }
@@ -159,22 +160,24 @@ bool Lights::sun_shows(const dvec3& direction) const {
   });
 }
 
-void Lights::add_sky(const dvec3& direction, double pdf, bool suns, BandSpan<float> throughput,
+void Lights::add_sky(const LeavingRay& ray, bool suns, BandSpan<float> throughput,
                      RadianceSums& sums) const {
   sums.add(Plan::kBackground, throughput, ones_, 1.0f);
-  const auto weight = [&](double light_pdf) { return pdf > 0.0 ? pdf / (pdf + light_pdf) : 1.0; };
+  const auto weight = [&](int choice, double light_pdf) {
+    if (!(ray.pdf > 0.0)) return 1.0;
+    return ray.pdf / (ray.pdf + hierarchy_.chance(choice, ray.place) * light_pdf);
+  };
   for (const int i : discs_) {
     const Choice& choice = choices_[static_cast<std::size_t>(i)];
     const auto& disc = std::get<LightDisc>(choice.extent);
-    if (!suns || !disc.directions.holds(direction)) continue;
-    const double part = disc.radiance * weight(choice.chance * disc.directions.pdf());
+    if (!suns || !disc.directions.holds(ray.direction)) continue;
+    const double part = disc.radiance * weight(i, disc.directions.pdf());
     sums.add(choice.source, throughput, ones_, static_cast<float>(part));
   }
   if (environment_ < 0) return;
   const Choice& environment = choices_[static_cast<std::size_t>(environment_)];
-  const double part =
-      pdf > 0.0 ? weight(environment.chance * plan_.environment->pdf(direction)) : 1.0;
-  plan_.environment->scale(direction, throughput);
+  const double part = weight(environment_, plan_.environment->pdf(ray.direction));
+  plan_.environment->scale(ray.direction, throughput);
   sums.add(environment.source, throughput, ones_, static_cast<float>(part));
 }
 

@@ -3,6 +3,7 @@
 #include "core/emitters/sampled_surface.h"
 #include "core/film/radiance_sums.h"
 #include "core/lights/light_disc.h"
+#include "core/lights/light_hierarchy.h"
 #include "geometry/world/world.h"
 
 #include <optional>
@@ -28,7 +29,7 @@ struct LightSample {
 };
 
 /// Everything that can be aimed at to light a place: the scene's lights, shapes whose material
-/// emits, and the environment. One of them is chosen in proportion to its power.
+/// emits, and the environment. One of them is chosen by what it can send to the place.
 class Lights {
 public:
   /// Keeps references to both.
@@ -58,11 +59,16 @@ public:
   /// True where a ray that leaves the scene along a unit direction sees the disc of a sun.
   [[nodiscard]] bool sun_shows(const dvec3& direction) const;
 
-  /// Adds what a ray sees that leaves the scene along a unit direction: the background, the discs
-  /// of suns (unless they are found otherwise), and the environment, each weighed against `sample`
-  /// where the ray's direction was drawn with this pdf per steradian (0: it was not). The ray ends
-  /// there: its throughput is changed.
-  void add_sky(const dvec3& direction, double pdf, bool suns, BandSpan<float> throughput,
+  /// A ray that leaves the scene, and how it came to its direction.
+  struct LeavingRay {
+    dvec3 place;      ///< where its direction was drawn
+    dvec3 direction;  ///< unit
+    double pdf = 0.0; ///< per steradian, with which it was drawn; 0: it was not
+  };
+  /// Adds what such a ray sees: the background, the discs of suns (unless they are found
+  /// otherwise), and the environment, each weighed against `sample`. The ray ends there: its
+  /// throughput is changed.
+  void add_sky(const LeavingRay& ray, bool suns, BandSpan<float> throughput,
                RadianceSums& sums) const;
 
 private:
@@ -86,17 +92,16 @@ private:
   struct Choice {
     Extent extent;
     int source = 0;
-    double power = 0.0;
-    double chance = 0.0;     ///< of being chosen
-    double cumulative = 0.0; ///< of this one and those before it
+    LightReach reach;
   };
 
   void add_lights();
   void add_shapes();
   void add_environment();
-  void share_chances();
+  void add(Choice&& choice);
+  [[nodiscard]] double seen_mean(const Curve& spectrum) const;
 
-  // A sample of each kind of extent, of the light that was chosen.
+  // A sample of each kind of extent, as if it were the only one.
   [[nodiscard]] static std::optional<LightSample>
   sample(const PointOfLight& light, const Choice& choice, const dvec3& place, const dvec2& u);
   [[nodiscard]] static std::optional<LightSample>
@@ -110,6 +115,7 @@ private:
   const Plan& plan_;
   BandTable ones_;
   std::vector<Choice> choices_;
+  LightHierarchy hierarchy_;        ///< of the choices
   std::vector<int> discs_;          ///< the choices that are discs
   int environment_ = -1;            ///< the choice that is the environment; negative: none
   std::vector<int> light_of_shape_; ///< by ShapeId; negative: none

@@ -21,6 +21,10 @@ std::optional<LightDisc> disc(const PointLight&) {
   return std::nullopt;
 }
 
+LightReach reach(const PointLight& light, double value) {
+  return reach_from(light.position, light.falloff, value);
+}
+
 double power(const PointLight& light, double value, double scene_disc) {
   return light.falloff == Falloff::square ? 4.0 * pi * value : pi * value * scene_disc;
 }

@@ -53,6 +53,10 @@ std::optional<LightDisc> disc(const SpotLight&) {
   return std::nullopt;
 }
 
+LightReach reach(const SpotLight& light, double value) {
+  return reach_from(light.position, light.falloff, value).along(light.axis, light.half_angle, 0.0);
+}
+
 double power(const SpotLight& light, double value, double scene_disc) {
   const double angle = solid_angle(light);
   return light.falloff == Falloff::square ? angle * value

@@ -39,6 +39,10 @@ std::optional<LightDisc> disc(const SunLight& light) {
   return LightDisc{cone_about(light, -light.direction), radiance(light)};
 }
 
+LightReach reach(const SunLight&, double value) {
+  return LightReach::distant(pi * value);
+}
+
 double power(const SunLight&, double value, double scene_disc) {
   return pi * value * scene_disc;
 }

@@ -23,6 +23,7 @@ namespace abbe {
 struct SourcePlan {
   int accumulator = 0;
   BandTable factor;
+  int group = -1; ///< of Plan::light_groups; negative: it gives no light
 };
 
 /// Drops at the bands. A phase function is there where the scene has such lights.
@@ -75,6 +76,9 @@ struct Plan {
 
   std::vector<std::vector<SpectralLine>> lines; ///< by band; see lines_of_bands
   std::vector<SourcePlan> sources; ///< background, ambient light, the lights, emitting materials
+  std::vector<std::string> light_groups; ///< names of sources; those of one name are one group
+  /// What layers of ids call what they hold; empty where there are no such layers.
+  std::vector<std::string> object_names, material_names;
   std::vector<AccumulatorPlan> accumulators;
   std::optional<EnvironmentMap> environment;
   int environment_source = -1;         ///< index into sources, of its light

@@ -5,6 +5,7 @@
 #include "core/lights/specular_targets.h"
 #include "core/planning/plan_bands.h"
 #include "core/planning/plan_extent.h"
+#include "core/planning/plan_groups.h"
 #include "core/planning/plan_lines.h"
 #include "core/planning/plan_materials.h"
 #include "core/planning/plan_notes.h"
@@ -79,6 +80,7 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
     plan.environment = EnvironmentMap::make(*scene.environment, table_wavelengths(plan));
     if (plan.environment) plan.environment_source = sources.add(scene.environment->light);
   }
+  plan_groups(scene, plan);
   plan_media(scene, plan);
   plan_sky(scene, plan);
   plan_bands(plan);

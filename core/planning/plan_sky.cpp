@@ -19,7 +19,7 @@ void plan_sky(const Scene& scene, Plan& plan) {
   sky.transparent = plan.settings.sky == Sky::transparent;
   sky.lets_through =
       sky.transparent || !(plan.environment || gives_light(scene.background, plan.grid));
-  sky.tints = plan.settings.layers.transmittance;
+  sky.tints = plan.settings.layers.has(ExtraLayer::transmittance);
   for (auto* axis : {&sky.x, &sky.y, &sky.z})
     axis->assign(plan.stride, 0.0f);
   const auto weights =

@@ -2,6 +2,8 @@
 
 #include "core/cameras/placed_camera.h"
 #include "core/film/lost_light.h"
+#include "core/film/part_layers.h"
+#include "core/render/first_hit.h"
 
 #include <utility>
 
@@ -21,6 +23,8 @@ std::vector<LayerForm> film_layers(const Scene& scene, const Plan& plan,
   if (plan.settings.max_depth < kNoDepthLimit)
     for (LayerForm& layer : lost_light_layers(plan.quantum, splats))
       layers.push_back(std::move(layer));
+  for (auto&& more : {part_layers(plan, splats), first_hit_layers(scene, plan)})
+    layers.insert(layers.end(), more.begin(), more.end());
   return layers;
 }
 

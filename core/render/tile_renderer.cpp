@@ -35,6 +35,13 @@ TileRenderer::TileRenderer(const RenderContext& context, Film& film,
       sums_(plan_, film.find(kEvidence).has_value()), evidence_(film.find(kEvidence)),
       lost_(film.find(kLost)), start_(plan_, context.camera) {
   integrator_->end_with(is_over);
+  FirstHit first_hit(context.scene, plan_, world_, film);
+  if (!first_hit.empty()) first_hit_.emplace(std::move(first_hit));
+  PartLayers part_layers(plan_, film);
+  if (part_layers.empty()) return;
+  part_layers_.emplace(std::move(part_layers));
+  parts_.emplace(plan_);
+  sums_.divide(&*parts_);
 }
 
 SampleRange PassSamples::of(const Film& film, int x, int y, int already) const {
@@ -104,6 +111,7 @@ void TileRenderer::finish_batch(bool empty, LeftPass& left, PassProgress& progre
 bool TileRenderer::trace_sample(const CameraSample& sample, const CameraPaths& start,
                                 RayCounts& counts) {
   sums_.clear();
+  if (parts_) parts_->clear();
   const RayCounts before = counts;
   if (!integrator_->trace(start, sample.sampler, sums_, counts)) {
     counts = before;
@@ -124,6 +132,8 @@ bool TileRenderer::trace_sample(const CameraSample& sample, const CameraPaths& s
   if (transmittance_) film_.add(*transmittance_, place, sums_.transmittance());
   if (const double lost = lost_ ? integrator_->beyond().luminance() : 0.0; lost != 0.0)
     film_.add(*lost_, place, lost_light(lost, plan_.quantum));
+  if (part_layers_) part_layers_->add(place, sums_.color(), *parts_);
+  if (first_hit_ && covered) first_hit_->add(place, start);
   return true;
 }
 

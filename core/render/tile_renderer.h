@@ -3,12 +3,14 @@
 #include "core/adaptive/sample_schedule.h"
 #include "core/bundles/statistics.h"
 #include "core/film/film.h"
+#include "core/film/part_layers.h"
 #include "core/film/radiance_sums.h"
 #include "core/integrators/integrator.h"
 #include "core/integrators/light_pass.h"
 #include "core/lights/lights.h"
 #include "core/plan/plan.h"
 #include "core/render/camera_start.h"
+#include "core/render/first_hit.h"
 #include "core/render/render_state.h"
 #include "core/sampling/sampler.h"
 #include "geometry/world/world.h"
@@ -98,7 +100,10 @@ private:
   const IsOver& is_over_;
   RadianceSums sums_;
   std::optional<LayerId> evidence_;
-  std::optional<LayerId> lost_; ///< what a limit of depth takes
+  std::optional<LayerId> lost_;           ///< what a limit of depth takes
+  std::optional<FirstHit> first_hit_;     ///< where its layers are asked for
+  std::optional<PartLayers> part_layers_; ///< the same
+  std::optional<RadianceParts> parts_;    ///< of the current sample, for these
   std::vector<CameraSample> batch_;
   CameraStart start_;
   std::vector<Hit> hits_; ///< of the batch's rays

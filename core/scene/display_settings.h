@@ -1,9 +1,11 @@
 #pragma once
 
+#include "spectral/adaptation.h"
 #include "spectral/color_space.h"
 #include "spectral/curve.h"
 #include "spectral/gamut.h"
 #include "spectral/observer.h"
+#include "spectral/tone_curve.h"
 
 #include <optional>
 
@@ -26,8 +28,10 @@ struct DisplaySettings {
   double exposure_ev = 0.0; ///< radiance is multiplied by 2^exposure_ev
   GamutMapping gamut = GamutMapping::desaturate;
   ColorSpace space = srgb_space();
-  std::optional<TransferFunction> transfer = std::nullopt; ///< empty: that of the space
-  std::optional<WhitePoint> white_point = std::nullopt;    ///< empty: no adaptation
+  std::optional<TransferFunction> transfer = std::nullopt;  ///< empty: that of the space
+  std::optional<WhitePoint> white_point = std::nullopt;     ///< empty: no adaptation
+  AdaptationMethod adaptation = AdaptationMethod::bradford; ///< to the white point
+  ToneCurve tone = ToneCurve::linear;
 };
 
 /// What the numbers of an image for a screen mean. The file's colour profile is made from it.

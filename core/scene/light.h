@@ -55,6 +55,7 @@ struct Light {
   std::string name;
   Curve spectrum = Curve::constant(1.0); ///< the value by wavelength, times the intensity
   LightKind kind;
+  std::string group = {}; ///< of which it is a part; empty: of that of its name
 };
 
 } // namespace abbe

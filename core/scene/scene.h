@@ -24,8 +24,9 @@ struct Scene {
   double mm_per_unit = 1.0; ///< length of one scene unit
 
   std::vector<PlacedShape> shapes;
-  std::vector<Material> materials; ///< by MaterialId
-  std::vector<Medium> media;       ///< by MediumId
+  std::vector<std::string> object_names; ///< by ShapeId; "" where a shape has none
+  std::vector<Material> materials;       ///< by MaterialId
+  std::vector<Medium> media;             ///< by MediumId
   std::vector<Light> lights;
   std::vector<ReflectanceImage> images; ///< of textures
 

@@ -17,7 +17,6 @@ constexpr Word<Integrator> kIntegrators[] = {{"whitted", Integrator::whitted},
 constexpr Word<PixelFilter> kFilters[] = {
     {"box", PixelFilter::box}, {"tent", PixelFilter::tent}, {"gaussian", PixelFilter::gaussian}};
 constexpr Word<Sky> kSkies[] = {{"visible", Sky::visible}, {"transparent", Sky::transparent}};
-constexpr Word<ExtraLayers> kLayers[] = {{"none", {}}, {"transmittance", {.transmittance = true}}};
 constexpr Word<ShadowRule> kShadowRules[] = {{"none", ShadowRule::none},
                                              {"opaque", ShadowRule::opaque},
                                              {"attenuated", ShadowRule::attenuated},
@@ -32,7 +31,11 @@ constexpr Word<Observer> kObservers[] = {{"2deg", Observer::cie1931_2deg, "2"},
 constexpr Word<Tracing> kTracings[] = {{"single", Tracing::single}, {"packets", Tracing::packets}};
 constexpr Word<GamutMapping> kGamuts[] = {{"clip", GamutMapping::clip},
                                           {"scale", GamutMapping::scale},
-                                          {"desaturate", GamutMapping::desaturate}};
+                                          {"desaturate", GamutMapping::desaturate},
+                                          {"none", GamutMapping::none}};
+constexpr Word<AdaptationMethod> kAdaptations[] = {{"bradford", AdaptationMethod::bradford},
+                                                   {"cat16", AdaptationMethod::cat16}};
+constexpr Word<ToneCurve> kTones[] = {{"linear", ToneCurve::linear}, {"filmic", ToneCurve::filmic}};
 
 using Whole = WholeNumber<RenderSettings>;
 using Real = RealNumber<RenderSettings>;
@@ -205,9 +208,14 @@ constexpr auto kRenderTable = std::to_array<RenderSetting>({
      .option = "--errors",
      .help = "Write the channels samples and error.Y into EXR, as --noise and --time do",
      .flag = true},
-    {.value = RenderChoice<ExtraLayers>{&S::layers, kLayers},
+    {.value = LayerNames{},
      .option = "--layers",
-     .help = "Further layers of EXR; transmittance: the colour of what shows through the scene"},
+     .type = "NAME,...",
+     .help = "Further layers of EXR, such as depth,normal,object,light:*; docs/layers.md has all"},
+    {.value = RenderChoice<bool>{&S::relightable, kOnOff},
+     .option = "--relightable",
+     .help = "Write the bands of each group of lights under light of equal energy, for relight",
+     .flag = true},
     {.value = ImageSize{kSide},
      .keyword = "imageSize",
      .arguments = "width height",
@@ -272,6 +280,21 @@ constexpr auto kDisplayTable = std::to_array<DisplaySetting>({
      .default_words = "none: what is, is shown",
      .metadata = "whitePoint",
      .matters = [](const D& d) { return d.white_point.has_value(); }},
+    {.value = Choice<D, AdaptationMethod>{&D::adaptation, kAdaptations},
+     .keyword = "adaptation",
+     .option = "--adaptation",
+     .help = "How the eye's adaptation to the white point is computed",
+     .metadata = "adaptation",
+     .matters =
+         [](const D& d) {
+           return d.white_point.has_value() && d.adaptation != AdaptationMethod::bradford;
+         }},
+    {.value = Choice<D, ToneCurve>{&D::tone, kTones},
+     .keyword = "toneCurve",
+     .option = "--tone",
+     .help = "How TIFF and PNG show luminances: linear ends at 1, filmic rolls off",
+     .metadata = "toneCurve",
+     .matters = [](const D& d) { return d.tone != ToneCurve::linear; }},
 });
 
 /// The text of one kind of value.
@@ -302,6 +325,7 @@ struct TextOf {
     const PixelWindow& c = *settings.crop;
     return fmt::format("{},{},{},{}", c.x0, c.y0, c.x1, c.y1);
   }
+  std::string operator()(const LayerNames&) const { return layer_list(settings.layers); }
   std::string operator()(const DisplaySpace&) const { return settings.space.name; }
   std::string operator()(const DisplayTransfer&) const {
     return settings.transfer.value_or(settings.space.transfer).name;

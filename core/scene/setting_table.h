@@ -54,6 +54,8 @@ struct ImageSize {
 struct CropCorners {
   Range range;
 };
+/// Layers by their names, with commas between.
+struct LayerNames {};
 /// The display's colour space by its name.
 struct DisplaySpace {};
 /// The display's transfer function by its name or its gamma.
@@ -69,10 +71,11 @@ using RenderValue =
                  CropCorners, RenderChoice<bool>, RenderChoice<Integrator>,
                  RenderChoice<PixelFilter>, RenderChoice<ShadowRule>, RenderChoice<Caustics>,
                  RenderChoice<Observer>, RenderChoice<AdaptiveSampling>, RenderChoice<Tracing>,
-                 RenderChoice<Skips>, RenderChoice<Sky>, RenderChoice<ExtraLayers>>;
+                 RenderChoice<Skips>, RenderChoice<Sky>, LayerNames>;
 using DisplayValue =
-    std::variant<RealNumber<DisplaySettings>, Choice<DisplaySettings, GamutMapping>, DisplaySpace,
-                 DisplayTransfer, DisplayWhite>;
+    std::variant<RealNumber<DisplaySettings>, Choice<DisplaySettings, GamutMapping>,
+                 Choice<DisplaySettings, AdaptationMethod>, Choice<DisplaySettings, ToneCurve>,
+                 DisplaySpace, DisplayTransfer, DisplayWhite>;
 
 /// One setting. Where a name is empty, the setting cannot be given there.
 template <class Settings, class Value>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/scene/extra_layers.h"
 #include "core/scene/pixel_window.h"
 #include "geometry/world/world.h"
 #include "spectral/observer.h"
@@ -34,14 +35,6 @@ enum class AdaptiveSampling : std::uint8_t { automatic, on, off };
 /// the environment and the discs of suns. `visible`: it is a part of the picture. `transparent`:
 /// the picture is to be laid over another one, and where the sky would show, that one does.
 enum class Sky : std::uint8_t { visible, transparent };
-
-/// Layers that are written beside the picture. `transmittance`: by how much the scene dims what
-/// lies behind it, as a colour.
-struct ExtraLayers {
-  bool transmittance = false;
-
-  friend constexpr bool operator==(const ExtraLayers&, const ExtraLayers&) = default;
-};
 
 /// The reconstruction filter, which is sampled in proportion to its value. `gaussian` has a
 /// standard deviation of half a pixel and ends at 1.5 pixels, `tent` ends at 1, `box` at half a
@@ -88,6 +81,9 @@ struct RenderSettings {
   PixelFilter filter = PixelFilter::gaussian;
   Sky sky = Sky::visible;
   ExtraLayers layers;
+  /// The bands of each group of lights are kept under light of equal energy, and all decisions are
+  /// those under such light, so that lamps can be changed without tracing a ray.
+  bool relightable = false;
 
   int max_depth = kNoDepthLimit; ///< how often a path may be reflected or refracted
   /// A branch whose every band carries less is followed at random, and then carries this.
@@ -111,7 +107,7 @@ struct RenderSettings {
   [[nodiscard]] bool reports_errors() const { return keep_errors || may_end_early(); }
   /// True in a plan when the film must keep errors.
   [[nodiscard]] bool needs_errors() const {
-    return reports_errors() || adaptive == AdaptiveSampling::on;
+    return reports_errors() || adaptive == AdaptiveSampling::on || layers.has(ExtraLayer::variance);
   }
 
   int threads = 0; ///< 0: one per processor

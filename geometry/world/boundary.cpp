@@ -103,7 +103,7 @@ void NearestCandidates::offer_beside_others(const Candidate& candidate) {
 bool shows_before(const ShapeTable& shapes, ShapeId a, ShapeId b) {
   const auto rank = [&](ShapeId id) {
     const ShapeTable::Row& row = shapes[id];
-    return std::tuple(!row.medium.valid(), row.priority, id);
+    return std::tuple(!row.gives_way, !row.medium.valid(), row.priority, id);
   };
   return rank(a) > rank(b);
 }

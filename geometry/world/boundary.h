@@ -56,8 +56,9 @@ private:
   return nesting.size() == 1 ? shapes[nesting[0]].medium : prevailing_medium(shapes, nesting);
 }
 
-/// Whether `a` shows where its surface coincides with that of `b`: an opaque or flat shape before
-/// glass, then the highest priority, then the shape defined last (as for medium_of).
+/// Whether `a` shows where its surface coincides with that of `b`: what gives way behind all
+/// else, an opaque or flat shape before glass, then the highest priority, then the shape defined
+/// last (as for medium_of).
 [[nodiscard]] bool shows_before(const ShapeTable& shapes, ShapeId a, ShapeId b);
 
 /// What the ray meets at the nearest boundary, all coinciding crossings taken as one. A shape

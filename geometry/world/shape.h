@@ -22,6 +22,9 @@ struct PlacedShape {
   MaterialId material; ///< of its surface
   MediumId medium;     ///< what fills it; invalid: nothing passes (opaque), or it has no inside
   int priority = 0;    ///< where solids overlap, the medium of the highest priority is there
+  /// A surface without inside that light passes straight through. Where it coincides with another
+  /// one, that shows: what lies behind it would not be met otherwise.
+  bool gives_way = false;
 };
 
 /// True when the shape has an inside.

@@ -15,8 +15,8 @@ public:
     explicit Row(const PlacedShape& shape)
         : from_world(shape.to_world), to_world(shape.to_world), placed(&shape),
           material(shape.material), medium(shape.medium), priority(shape.priority),
-          solid(is_solid(shape.shape)), tree(std::holds_alternative<CsgTree>(shape.shape)),
-          smooth(is_smooth(shape.shape)) {}
+          gives_way(shape.gives_way), solid(is_solid(shape.shape)),
+          tree(std::holds_alternative<CsgTree>(shape.shape)), smooth(is_smooth(shape.shape)) {}
 
     Frame from_world;
     Placement to_world;
@@ -25,7 +25,7 @@ public:
     MediumId medium;
     int priority;
     std::int32_t first_normal = -1; ///< in `normals_`; negative: its faces are not all plane
-    bool solid, tree;
+    bool gives_way, solid, tree;
     bool smooth; ///< it has shading normals of its own
   };
 

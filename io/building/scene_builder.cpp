@@ -77,6 +77,7 @@ void SceneBuilder::add_shape(const SourcePosition& where, PlacedShape shape,
     check_sheet(scene_, where, material);
   keywords_.meet_shape(material, is_solid(shape.shape));
   shape.material = add_material(where, material);
+  shape.gives_way = !is_solid(shape.shape) && is_transparent(material.finish);
   if (is_solid(shape.shape) && is_transparent(material.finish))
     shape.medium = add_medium(where, material.medium);
   else if (is_solid(shape.shape))

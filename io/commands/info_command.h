@@ -11,7 +11,7 @@ namespace abbe {
 /// Tells what a file holds that the program has written.
 struct InfoCommand {
   static constexpr const char* kName = "info";
-  static constexpr const char* kHelp = "Tell what the state of a rendering holds";
+  static constexpr const char* kHelp = "Tell what a picture, or the state of a rendering, holds";
 
   std::filesystem::path file;
 };

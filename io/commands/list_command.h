@@ -10,12 +10,14 @@ class App;
 
 namespace abbe {
 
-/// Prints the glasses, lights, materials or metals that scenes can name, or plots one of them.
+/// Prints the glasses, lights, materials or metals that scenes can name, or all whose names hold a
+/// word, or plots one of them.
 struct ListCommand {
   static constexpr const char* kName = "list";
   static constexpr const char* kHelp = "List what scenes can name";
 
-  std::string what; ///< glasses, lights, materials or metals; empty: all, for a plot
+  /// glasses, lights, materials or metals, or a part of a name; empty: all, for a plot
+  std::string what;
   std::optional<std::filesystem::path> library;
   std::optional<std::string> plot_name; ///< the curve to draw instead of a list
   std::optional<std::filesystem::path> plot_file;

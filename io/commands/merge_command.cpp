@@ -1,7 +1,6 @@
 #include "io/commands/merge_command.h"
 
 #include "core/film/merge_films.h"
-#include "core/planning/make_plan.h"
 #include "core/render/render.h"
 #include "io/commands/kept_state.h"
 #include "io/commands/scene_request.h"
@@ -84,7 +83,7 @@ int run(const MergeCommand& command) {
   check_parts(parts);
   const StateInfo& info = parts.front().info;
   InputFiles inputs;
-  const SceneRequest request = scene_of(command, info, inputs);
+  SceneRequest request = scene_of(command, info, inputs);
   check_origin(parts.front().file, info, inputs);
   for (const KeptPart& part : parts)
     if (part.info.build != info.build)
@@ -94,7 +93,7 @@ int run(const MergeCommand& command) {
   const Outputs outputs{command.outputs, command.spectral_output, {}};
   check_outputs(outputs, inputs);
   warn_of_outputs(command.given, outputs, command.output, say_warning);
-  const Plan plan = make_plan(request.scene, request.settings);
+  const Plan plan = plan_of(request, request.settings);
   if (command.spectral_output && !StateReader(parts.front().file).has_bands())
     throw UserError("these parts have no bands: they are kept where parts are rendered with "
                     "--spectral");

@@ -1,6 +1,5 @@
 #include "io/commands/plan_command.h"
 
-#include "core/planning/make_plan.h"
 #include "io/commands/scene_request.h"
 #include "io/commands/setting_options.h"
 
@@ -12,9 +11,9 @@ void add_options(CLI::App& app, PlanCommand& command) {
 }
 
 int run(const PlanCommand& command) {
-  const SceneRequest request =
+  SceneRequest request =
       read_request(command.scene_path, command.settings, nullptr, command.strictness);
-  tell_plan(make_plan(request.scene, request.settings));
+  tell_plan(plan_of(request, request.settings));
   return 0;
 }
 

@@ -1,7 +1,6 @@
 #include "io/commands/render_command.h"
 
 #include "core/image/develop.h"
-#include "core/planning/make_plan.h"
 #include "core/planning/plan_extent.h"
 #include "core/render/memory_need.h"
 #include "core/render/render.h"
@@ -177,7 +176,7 @@ int run(const RenderCommand& command) {
   warn_of_outputs(command.given, outputs, command.output, say_warning);
   check_memory(least_memory_need(request.scene.settings), command.memory_limit_gib);
   const Workers workers = limit_workers(request.scene.settings.threads);
-  const Plan plan = make_plan(scene, with_allowed_threads(request.scene.settings, workers));
+  const Plan plan = plan_of(request.scene, with_allowed_threads(request.scene.settings, workers));
   check_part(request.part, plan.settings);
   const std::optional<BandPlace> bands = bands_of(command, request);
   check_memory(memory_need(scene, plan, bands), command.memory_limit_gib);

@@ -7,6 +7,7 @@
 #include "io/settings/setting_text.h"
 
 #include <filesystem>
+#include <optional>
 
 namespace abbe {
 
@@ -14,7 +15,14 @@ namespace abbe {
 struct SceneRequest {
   Scene scene;
   RenderSettings settings;
+  /// Of a relightable rendering the scene with its own lamps; `scene`, which is rendered, is then
+  /// the same under light of equal energy.
+  std::optional<Scene> with_own_lamps = {};
 };
+
+/// The plan of a request under these settings, which may be more than its own. Where they are those
+/// of a relightable rendering, the request's scene is brought under light of equal energy.
+[[nodiscard]] Plan plan_of(SceneRequest& request, const RenderSettings& settings);
 
 /// Reads and checks it, and tells all warnings on standard error. All files that are read are added
 /// to `inputs`, unless it is null.

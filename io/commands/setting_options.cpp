@@ -132,6 +132,8 @@ void add_output_options(CLI::App& app, OutputOptions& output) {
       "Bits per TIFF channel; 32 is linear floating point");
   add_choice<int>(app, "--png-depth", output.png_bits, {{"8", 8}, {"16", 16}},
                   "Bits per PNG channel");
+  app.add_flag("--layer-files", output.layer_files,
+               "Write each layer into an EXR of its own, such as NAME.depth.exr");
 }
 
 } // namespace abbe

@@ -21,8 +21,11 @@ struct FreeCurve {
 struct FreeText {
   void operator()(cmsMLU* text) const { cmsMLUfree(text); }
 };
+struct DeleteTransform {
+  void operator()(void* transform) const { cmsDeleteTransform(transform); }
+};
 using Profile = std::unique_ptr<void, CloseProfile>;
-using ToneCurve = std::unique_ptr<cmsToneCurve, FreeCurve>;
+using CmsCurve = std::unique_ptr<cmsToneCurve, FreeCurve>;
 using Text = std::unique_ptr<cmsMLU, FreeText>;
 
 template <class Condition>
@@ -32,10 +35,10 @@ void require(const Condition& condition) {
 
 /// ICC's parametric curve of type 3 is our form (Little CMS counts types from 1); a plain power is
 /// its type 0. (source: ICC2010, 10.15)
-ToneCurve tone_curve(const TransferFunction& t) {
-  if (t.knee == 0.0) return ToneCurve(cmsBuildGamma(nullptr, t.exponent));
+CmsCurve tone_curve(const TransferFunction& t) {
+  if (t.knee == 0.0) return CmsCurve(cmsBuildGamma(nullptr, t.exponent));
   const std::array<double, 5> parameters = {t.exponent, t.scale, t.offset, t.slope, t.knee};
-  return ToneCurve(cmsBuildParametricToneCurve(nullptr, 4, parameters.data()));
+  return CmsCurve(cmsBuildParametricToneCurve(nullptr, 4, parameters.data()));
 }
 
 cmsCIExyY xyy(const Chromaticity& c) {
@@ -67,7 +70,7 @@ std::string profile_name(const DisplayEncoding& encoding) {
 }
 
 std::vector<std::byte> icc_profile(const DisplayEncoding& encoding) {
-  const ToneCurve curve = tone_curve(encoding.transfer);
+  const CmsCurve curve = tone_curve(encoding.transfer);
   require(curve);
   const RgbPrimaries& p = encoding.space.primaries;
   const cmsCIExyY white = xyy(encoding.space.white);
@@ -87,6 +90,23 @@ std::vector<std::byte> icc_profile(const DisplayEncoding& encoding) {
   require(cmsSaveProfileToMem(profile.get(), bytes.data(), &size));
   fix_header(bytes);
   return bytes;
+}
+
+void take_to_linear_srgb(std::vector<float>& rgb, std::span<const std::byte> bytes) {
+  const Profile from(
+      cmsOpenProfileFromMem(bytes.data(), static_cast<cmsUInt32Number>(bytes.size())));
+  if (!from || cmsGetColorSpace(from.get()) != cmsSigRgbData)
+    throw std::runtime_error("its colour profile is damaged or is none of RGB");
+  const std::vector<std::byte> linear = icc_profile({srgb_space(), linear_transfer()});
+  const Profile to(
+      cmsOpenProfileFromMem(linear.data(), static_cast<cmsUInt32Number>(linear.size())));
+  require(to);
+  const std::unique_ptr<void, DeleteTransform> transform(
+      cmsCreateTransform(from.get(), TYPE_RGB_FLT, to.get(), TYPE_RGB_FLT,
+                         INTENT_RELATIVE_COLORIMETRIC, cmsFLAGS_NOOPTIMIZE | cmsFLAGS_NOCACHE));
+  if (!transform) throw std::runtime_error("its colour profile cannot be applied");
+  cmsDoTransform(transform.get(), rgb.data(), rgb.data(),
+                 static_cast<cmsUInt32Number>(rgb.size() / 3));
 }
 
 } // namespace abbe

@@ -3,6 +3,7 @@
 #include "core/image/display.h"
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,5 +17,10 @@ namespace abbe {
 
 /// What the profile is called: the space, and the transfer function when it is not the space's own.
 [[nodiscard]] std::string profile_name(const DisplayEncoding& encoding);
+
+/// Takes interleaved codes, as fractions of full scale, that the profile describes to linear sRGB,
+/// white to white. Colours outside of it keep their negative components.
+/// Errors: `std::runtime_error` for a profile that Little CMS cannot read or that is none of RGB.
+void take_to_linear_srgb(std::vector<float>& rgb, std::span<const std::byte> profile);
 
 } // namespace abbe

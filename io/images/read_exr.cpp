@@ -2,6 +2,7 @@
 
 #include "io/files/regular_file.h"
 #include "io/images/read_image.h"
+#include "io/images/spectral_channels.h"
 #include "spectral/adaptation.h"
 #include "spectral/color_space.h"
 
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -89,15 +91,20 @@ void take_to_rec709(std::vector<float>& rgb, const Space& from) {
   }
 }
 
-/// The names of the channels to read into red, green and blue.
-std::vector<const char*> color_channels(const Imf::ChannelList& channels) {
+/// A channel with a value for each pixel.
+bool is_full(const Imf::Channel& channel) {
+  return channel.xSampling == 1 && channel.ySampling == 1;
+}
+
+/// The names of the channels to read into red, green and blue; none where there are no colours.
+std::vector<std::string> color_channels(const Imf::ChannelList& channels) {
   const auto has = [&](const char* name) {
     const Imf::Channel* channel = channels.findChannel(name);
-    return channel != nullptr && channel->xSampling == 1 && channel->ySampling == 1;
+    return channel != nullptr && is_full(*channel);
   };
   if (has("R") && has("G") && has("B")) return {"R", "G", "B"};
   if (has("Y")) return {"Y"};
-  throw std::runtime_error("it has neither full channels R, G and B nor a full channel Y");
+  return {};
 }
 
 /// The next number of a header.
@@ -132,54 +139,128 @@ void require_attributes(const std::filesystem::path& path) {
   }
 }
 
-/// Reads the channels into every third value. Memory is filled as rows come, so that a small file
-/// that declares a large image takes little.
-ExrImage read_rows(Imf::InputFile& file, const std::vector<const char*>& channels) {
-  const Imath::Box2i window = file.header().dataWindow(); // includes its last pixel
-  const auto width = static_cast<std::int64_t>(window.max.x) - window.min.x + 1;
-  const auto height = static_cast<std::int64_t>(window.max.y) - window.min.y + 1;
-  constexpr std::size_t kPixel = 3 * sizeof(float);
-  require_image_memory(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height),
-                       kPixel);
-  ExrImage image{static_cast<int>(width), static_cast<int>(height), {}, {}};
-  image.rgb.reserve(3 * static_cast<std::size_t>(width * height));
-  constexpr int kRows = 256; // no kind of compression packs more rows together
-  for (std::int64_t y = window.min.y; y <= window.max.y; y += kRows) {
-    Imath::Box2i rows = window;
-    rows.min.y = static_cast<int>(y);
-    rows.max.y = static_cast<int>(std::min<std::int64_t>(y + kRows - 1, window.max.y));
-    const std::size_t begin = image.rgb.size();
-    image.rgb.resize(begin + 3 * static_cast<std::size_t>(width) *
-                                 static_cast<std::size_t>(rows.max.y - rows.min.y + 1));
-    Imf::FrameBuffer frame;
-    for (std::size_t i = 0; i < channels.size(); ++i)
-      frame.insert(channels[i], Imf::Slice::Make(Imf::FLOAT, image.rgb.data() + begin + i, rows,
-                                                 kPixel, kPixel * static_cast<std::size_t>(width)));
-    file.setFrameBuffer(frame);
-    file.readPixels(rows.min.y, rows.max.y);
+PixelWindow exclusive(const Imath::Box2i& box) {
+  // OpenEXR's windows include their last pixel, ours do not.
+  constexpr int kMost = std::numeric_limits<int>::max();
+  if (box.max.x == kMost || box.max.y == kMost)
+    throw std::runtime_error("its windows end beyond all that pixels are counted to");
+  return {box.min.x, box.min.y, box.max.x + 1, box.max.y + 1};
+}
+
+const char* type_name(Imf::PixelType type) {
+  switch (type) {
+  case Imf::HALF:
+    return "half";
+  case Imf::FLOAT:
+    return "float";
+  default:
+    return "uint";
   }
-  return image;
+}
+
+/// What a header says, but for the colours' tag.
+PictureHeader header_of(const Imf::Header& header) {
+  PictureHeader said;
+  said.format = "OpenEXR";
+  said.display = exclusive(header.displayWindow());
+  said.data = exclusive(header.dataWindow());
+  std::vector<std::string> names;
+  for (auto it = header.channels().begin(); it != header.channels().end(); ++it) {
+    said.channels.push_back({it.name(), type_name(it.channel().type)});
+    if (is_full(it.channel())) names.emplace_back(it.name());
+  }
+  for (const SpectralChannel& channel : spectral_channels(names))
+    said.wavelengths_nm.push_back(channel.wavelength_nm);
+  for (auto it = header.begin(); it != header.end(); ++it)
+    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute()))
+      said.metadata.emplace_back(it.name(), text->value());
+  said.has_color = !color_channels(header.channels()).empty();
+  return said;
+}
+
+/// The names of all bands, by wavelength.
+std::vector<std::string> band_channels(const Imf::ChannelList& channels) {
+  std::vector<std::string> names, bands;
+  for (auto it = channels.begin(); it != channels.end(); ++it)
+    if (is_full(it.channel())) names.emplace_back(it.name());
+  for (SpectralChannel& channel : spectral_channels(names))
+    bands.push_back(std::move(channel.name));
+  return bands;
+}
+
+/// Where the values of some channels go: one after the other, `stride` values from pixel to pixel.
+struct Target {
+  std::vector<std::string> names;
+  std::size_t stride;
+  std::vector<float>& values;
+};
+
+/// Reads rows of the data window. Memory is filled as rows come, so that a small file that declares
+/// a large image takes little.
+void read_rows(Imf::InputFile& file, const PixelWindow& rows, std::vector<Target> targets) {
+  const auto width = static_cast<std::size_t>(rows.width());
+  std::size_t pixel_bytes = 0;
+  for (const Target& target : targets)
+    pixel_bytes += target.stride * sizeof(float);
+  require_image_memory(width, static_cast<std::uint64_t>(rows.height()), pixel_bytes);
+  for (Target& target : targets)
+    target.values.reserve(target.stride * rows.pixel_count());
+  constexpr int kRows = 256; // no kind of compression packs more rows together
+  for (int y = rows.y0; y < rows.y1;) {
+    const int end = rows.y1 - y > kRows ? y + kRows : rows.y1;
+    const Imath::Box2i box({rows.x0, y}, {rows.x1 - 1, end - 1});
+    Imf::FrameBuffer frame;
+    for (Target& target : targets) {
+      const std::size_t begin = target.values.size(), pixel = target.stride * sizeof(float);
+      target.values.resize(begin + target.stride * width * static_cast<std::size_t>(end - y));
+      for (std::size_t i = 0; i < target.names.size(); ++i)
+        frame.insert(target.names[i], Imf::Slice::Make(Imf::FLOAT, target.values.data() + begin + i,
+                                                       box, pixel, pixel * width));
+    }
+    file.setFrameBuffer(frame);
+    file.readPixels(y, end - 1);
+    y = end;
+  }
 }
 
 } // namespace
 
-ExrImage read_exr_image(const std::filesystem::path& path) {
+Picture read_exr_picture(const std::filesystem::path& path, const PictureRequest& request) {
   require_regular_file(path);
   constexpr int kMostPixels = 65536;
   Imf::Header::setMaxImageSize(kMostPixels, kMostPixels); // OpenEXR has a table of all rows
   require_attributes(path);
   Imf::InputFile file(path.c_str());
   const Imf::Header& header = file.header();
-  const auto channels = color_channels(header.channels());
-  ExrImage image = read_rows(file, channels);
-  if (channels.size() == 1) {
-    for (std::size_t i = 0; i < image.rgb.size(); i += 3)
-      image.rgb[i + 1] = image.rgb[i + 2] = image.rgb[i];
-    return image;
-  }
-  const std::optional<Space> space = tagged_space(header, image.unknown_tag);
-  if (space && !is_rec709(*space)) take_to_rec709(image.rgb, *space);
-  return image;
+  Picture picture{header_of(header), {}, {}, {}, {}};
+  const auto colors = color_channels(header.channels());
+  std::optional<Space> space;
+  if (colors.size() == 3) space = tagged_space(header, picture.header.unknown_tag);
+  if (request.header_only) return picture;
+  picture.part = rows_of(picture.header.data, request);
+  if (picture.part.height() <= 0) return picture;
+  std::vector<Target> targets;
+  if (!colors.empty()) targets.push_back({colors, 3, picture.rgb});
+  const auto bands = request.bands ? band_channels(header.channels()) : std::vector<std::string>{};
+  if (!bands.empty()) targets.push_back({bands, bands.size(), picture.bands});
+  const Imf::Channel* alpha = header.channels().findChannel("A");
+  if (request.alpha && alpha != nullptr && is_full(*alpha))
+    targets.push_back({{"A"}, 1, picture.alpha});
+  if (targets.empty()) return picture;
+  read_rows(file, picture.part, targets);
+  if (colors.size() == 1)
+    for (std::size_t i = 0; i < picture.rgb.size(); i += 3)
+      picture.rgb[i + 1] = picture.rgb[i + 2] = picture.rgb[i];
+  if (space && !is_rec709(*space)) take_to_rec709(picture.rgb, *space);
+  return picture;
+}
+
+ExrImage read_exr_image(const std::filesystem::path& path) {
+  Picture picture = read_exr_picture(path, {});
+  if (!picture.header.has_color)
+    throw std::runtime_error("it has neither full channels R, G and B nor a full channel Y");
+  return {picture.part.width(), picture.part.height(), std::move(picture.rgb),
+          std::move(picture.header.unknown_tag)};
 }
 
 } // namespace abbe

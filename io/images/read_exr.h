@@ -1,5 +1,7 @@
 #pragma once
 
+#include "io/images/picture.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -19,5 +21,10 @@ struct ExrImage {
 /// Throws std::runtime_error: for what is no regular file, for an image that would take more
 /// memory than an image may, and for all that OpenEXR finds wrong.
 [[nodiscard]] ExrImage read_exr_image(const std::filesystem::path& file);
+
+/// Reads what the file says of its first part, and the part of it that is asked for. Colours are
+/// those of `read_exr_image`. Throws std::runtime_error, as above.
+[[nodiscard]] Picture read_exr_picture(const std::filesystem::path& file,
+                                       const PictureRequest& request);
 
 } // namespace abbe

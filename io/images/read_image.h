@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scene/texture.h"
+#include "io/images/picture.h"
 #include "io/text/token.h"
 
 #include <filesystem>
@@ -17,6 +18,10 @@ namespace abbe {
 
 /// Throws std::runtime_error; components are as in the file, decoded.
 [[nodiscard]] ReflectanceImage read_png(const std::filesystem::path& file);
+
+/// The same with all that the file says of itself, through its colour profile where it has one.
+[[nodiscard]] Picture read_png_picture(const std::filesystem::path& file,
+                                       const PictureRequest& request);
 
 /// Throws std::runtime_error for an image that would take more memory than an image may, so that
 /// nothing is allocated for what a damaged or hostile file declares.

@@ -29,11 +29,10 @@
 namespace abbe {
 namespace {
 
-/// What a child sends before the pixels and the text: a tag, or the text of an error.
+/// What a child sends before its text, which is that of an error where it failed, and its values.
 struct Announcement {
   bool failed = false;
-  int width = 0, height = 0;
-  std::size_t text_size = 0;
+  std::size_t text_size = 0, value_count = 0;
 };
 
 /// Sends all bytes; the child ends where nobody reads them.
@@ -48,15 +47,15 @@ void send(int pipe, const void* from, std::size_t count) {
   }
 }
 
-void send_image(int pipe, const ExrImage& image) {
-  const Announcement announcement{false, image.width, image.height, image.unknown_tag.size()};
+void send_message(int pipe, const ChildMessage& message) {
+  const Announcement announcement{false, message.text.size(), message.values.size()};
   send(pipe, &announcement, sizeof announcement);
-  send(pipe, image.unknown_tag.data(), image.unknown_tag.size());
-  send(pipe, image.rgb.data(), image.rgb.size() * sizeof(float));
+  send(pipe, message.text.data(), message.text.size());
+  send(pipe, message.values.data(), message.values.size() * sizeof(float));
 }
 
 void send_error(int pipe, std::string_view text) {
-  const Announcement announcement{true, 0, 0, text.size()};
+  const Announcement announcement{true, text.size(), 0};
   send(pipe, &announcement, sizeof announcement);
   send(pipe, text.data(), text.size());
 }
@@ -70,7 +69,7 @@ void limit(int resource, std::uint64_t most) {
 
 /// What the child does. It ends without the destructors and buffers that it has in common with the
 /// program.
-[[noreturn]] void read_and_send(int pipe, const std::function<ExrImage()>& read,
+[[noreturn]] void read_and_send(int pipe, const std::function<ChildMessage()>& read,
                                 const ReadingLimits& limits) {
   (void)::prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int signal : {SIGXCPU, SIGALRM, SIGABRT, SIGSEGV, SIGBUS, SIGFPE})
@@ -80,7 +79,7 @@ void limit(int resource, std::uint64_t most) {
   limit(RLIMIT_AS, address_space() + limits.memory);
   ::alarm(static_cast<unsigned>(limits.seconds));
   try {
-    send_image(pipe, read());
+    send_message(pipe, read());
   } catch (const std::bad_alloc&) {
     send_error(pipe,
                fmt::format("reading it takes more than {} of memory", memory_text(limits.memory)));
@@ -93,7 +92,7 @@ void limit(int resource, std::uint64_t most) {
 /// The process and the pipe from it, until the end of the scope.
 class Child {
 public:
-  Child(const std::function<ExrImage()>& read, const ReadingLimits& limits) : limits_(limits) {
+  Child(const std::function<ChildMessage()>& read, const ReadingLimits& limits) : limits_(limits) {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw_errno();
     process_ = ::fork();
@@ -158,20 +157,33 @@ private:
 
 } // namespace
 
-ExrImage read_in_child(const std::function<ExrImage()>& read, const ReadingLimits& limits) {
+ChildMessage message_of_child(const std::function<ChildMessage()>& read,
+                              const ReadingLimits& limits) {
   Child child(read, limits);
   Announcement announcement;
   child.receive(std::span(&announcement, 1));
-  std::string text(announcement.text_size, '\0');
-  child.receive(std::span(text));
-  if (announcement.failed) throw std::runtime_error(text);
-  ExrImage image{announcement.width, announcement.height, {}, std::move(text)};
-  const auto width = static_cast<std::uint64_t>(image.width);
-  const auto height = static_cast<std::uint64_t>(image.height);
-  require_image_memory(width, height, 3 * sizeof(float));
-  image.rgb.resize(3 * width * height);
-  child.receive(std::span(image.rgb));
-  return image;
+  ChildMessage message;
+  message.text.resize(announcement.text_size);
+  child.receive(std::span(message.text));
+  if (announcement.failed) throw std::runtime_error(message.text);
+  require_image_memory(announcement.value_count, 1, sizeof(float));
+  message.values.resize(announcement.value_count);
+  child.receive(std::span(message.values));
+  return message;
+}
+
+ExrImage read_in_child(const std::function<ExrImage()>& read, const ReadingLimits& limits) {
+  ChildMessage message = message_of_child(
+      [&] {
+        ExrImage image = read();
+        return ChildMessage{fmt::format("{} {} {}", image.width, image.height, image.unknown_tag),
+                            std::move(image.rgb)};
+      },
+      limits);
+  // The sizes stand before the tag, which may have spaces.
+  const std::size_t second = message.text.find(' '), tag = message.text.find(' ', second + 1);
+  return {std::stoi(message.text), std::stoi(message.text.substr(second)),
+          std::move(message.values), message.text.substr(tag + 1)};
 }
 
 } // namespace abbe

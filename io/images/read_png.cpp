@@ -1,9 +1,11 @@
 #include "io/files/regular_file.h"
+#include "io/images/icc_profile.h"
 #include "io/images/read_image.h"
 #include "spectral/transfer.h"
 
 #include <png.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cerrno>
@@ -15,7 +17,9 @@
 #include <new>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace abbe {
@@ -95,35 +99,137 @@ std::vector<float> decoding_table() {
   return table;
 }
 
+/// The codes of a file that is open: three components of 16 bits.
+struct Codes {
+  std::size_t width = 0, height = 0;
+  std::unique_ptr<std::uint16_t, FreeMemory> memory;
+
+  [[nodiscard]] std::span<const std::uint16_t> values() const {
+    return {memory.get(), 3 * width * height};
+  }
+};
+
+Codes read_codes(const PngHandles& handles, const PngError& error) {
+  Codes codes{png_get_image_width(handles.png, handles.info),
+              png_get_image_height(handles.png, handles.info),
+              {}};
+  require_image_memory(codes.width, codes.height, 3 * (sizeof(std::uint16_t) + sizeof(float)));
+  // Zeros that take memory when they are written to: a small file may declare a large image.
+  codes.memory.reset(static_cast<std::uint16_t*>(
+      std::calloc(3 * codes.width * codes.height, sizeof(std::uint16_t))));
+  if (!codes.memory) throw std::bad_alloc();
+  std::vector<png_bytep> rows;
+  for (std::size_t y = 0; y < codes.height; ++y)
+    rows.push_back(reinterpret_cast<png_bytep>(codes.memory.get() + 3 * codes.width * y));
+  if (!read_rows(handles.png, rows.data())) throw std::runtime_error(error.text.data());
+  return codes;
+}
+
+/// A file that is open, and libpng's handles on it, which have read what stands before the pixels.
+struct OpenPng {
+  std::unique_ptr<std::FILE, CloseFile> file;
+  PngError error;
+  PngHandles handles{error};
+
+  explicit OpenPng(const std::filesystem::path& path) {
+    require_regular_file(path);
+    file.reset(std::fopen(path.c_str(), "rb"));
+    if (!file) throw std::system_error(errno, std::generic_category());
+    if (!read_header(handles.png, handles.info, file.get()))
+      throw std::runtime_error(error.text.data());
+  }
+};
+
+/// The file's size and where its pixels lie in the whole frame.
+PixelWindow window_of(png_structp png, png_infop info) {
+  png_int_32 x = 0, y = 0;
+  int unit = PNG_OFFSET_PIXEL;
+  if (png_get_oFFs(png, info, &x, &y, &unit) == 0 || unit != PNG_OFFSET_PIXEL) x = y = 0;
+  constexpr int kMostPixels = 1 << 30;
+  if (x < -kMostPixels || x > kMostPixels || y < -kMostPixels || y > kMostPixels) x = y = 0;
+  return {x, y, x + static_cast<int>(png_get_image_width(png, info)),
+          y + static_cast<int>(png_get_image_height(png, info))};
+}
+
+PictureHeader header_of(png_structp png, png_infop info) {
+  PictureHeader header;
+  header.format = "PNG";
+  header.data = window_of(png, info);
+  header.display = {std::min(0, header.data.x0), std::min(0, header.data.y0), header.data.x1,
+                    header.data.y1};
+  header.has_color = true;
+  png_textp texts = nullptr;
+  int count = 0;
+  png_get_text(png, info, &texts, &count);
+  for (const png_text& text : std::span(texts, static_cast<std::size_t>(count)))
+    header.metadata.emplace_back(text.key, text.text);
+  return header;
+}
+
+/// The colour profile; empty where there is none.
+std::vector<std::byte> profile_of(png_structp png, png_infop info) {
+  png_charp name = nullptr;
+  int compression = 0;
+  png_bytep profile = nullptr;
+  png_uint_32 size = 0;
+  if (png_get_iCCP(png, info, &name, &compression, &profile, &size) == 0) return {};
+  const auto bytes = std::as_bytes(std::span(profile, size));
+  return {bytes.begin(), bytes.end()};
+}
+
 } // namespace
 
 ReflectanceImage read_png(const std::filesystem::path& path) {
-  require_regular_file(path);
-  const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
-  if (!file) throw std::system_error(errno, std::generic_category());
-  PngError error;
-  const PngHandles handles(error);
-  if (!read_header(handles.png, handles.info, file.get()))
-    throw std::runtime_error(error.text.data());
-  const std::size_t width = png_get_image_width(handles.png, handles.info);
-  const std::size_t height = png_get_image_height(handles.png, handles.info);
-  require_image_memory(width, height, 3 * (sizeof(std::uint16_t) + sizeof(float)));
-  // Zeros that take memory when they are written to: a small file may declare a large image.
-  const std::unique_ptr<std::uint16_t, FreeMemory> memory(
-      static_cast<std::uint16_t*>(std::calloc(3 * width * height, sizeof(std::uint16_t))));
-  if (!memory) throw std::bad_alloc();
-  const std::span<const std::uint16_t> codes(memory.get(), 3 * width * height);
-  std::vector<png_bytep> rows;
-  for (std::size_t y = 0; y < height; ++y)
-    rows.push_back(reinterpret_cast<png_bytep>(memory.get() + 3 * width * y));
-  if (!read_rows(handles.png, rows.data())) throw std::runtime_error(error.text.data());
-
+  const OpenPng open(path);
+  const Codes codes = read_codes(open.handles, open.error);
   const std::vector<float> linear = decoding_table();
-  ReflectanceImage image{static_cast<int>(width), static_cast<int>(height), {}};
-  image.rgb.reserve(codes.size());
-  for (const std::uint16_t code : codes)
+  ReflectanceImage image{static_cast<int>(codes.width), static_cast<int>(codes.height), {}};
+  image.rgb.reserve(codes.values().size());
+  for (const std::uint16_t code : codes.values())
     image.rgb.push_back(linear[code]);
   return image;
+}
+
+Picture read_png_picture(const std::filesystem::path& path, const PictureRequest& request) {
+  const OpenPng open(path);
+  const PngHandles& handles = open.handles;
+  Picture picture{header_of(handles.png, handles.info), {}, {}, {}, {}};
+  // What the file has, not what libpng makes of it.
+  std::array<unsigned char, 2> kind{};
+  std::FILE* const file = open.file.get();
+  const long place = std::ftell(file);
+  constexpr long kKind = 24; // signature, length and name of the first chunk, width, height
+  if (std::fseek(file, kKind, SEEK_SET) == 0 &&
+      std::fread(kind.data(), 1, kind.size(), file) == kind.size()) {
+    const bool grey = (kind[1] & PNG_COLOR_MASK_COLOR) == 0;
+    const std::string type = std::to_string(kind[0]) + " bits";
+    for (const char* name : {"R", "G", "B"})
+      if (!grey) picture.header.channels.push_back({name, type});
+    if (grey) picture.header.channels.push_back({"Y", type});
+    if ((kind[1] & PNG_COLOR_MASK_ALPHA) != 0) picture.header.channels.push_back({"A", type});
+  }
+  if (std::fseek(file, place, SEEK_SET) != 0)
+    throw std::system_error(errno, std::generic_category());
+  if (request.header_only) return picture;
+  picture.part = rows_of(picture.header.data, request);
+  if (picture.part.height() <= 0) return picture;
+  const Codes codes = read_codes(handles, open.error);
+  const std::size_t row = 3 * codes.width;
+  const auto values = codes.values().subspan(
+      row * static_cast<std::size_t>(picture.part.y0 - picture.header.data.y0),
+      row * static_cast<std::size_t>(picture.part.height()));
+  picture.rgb.reserve(values.size());
+  const std::vector<std::byte> profile = profile_of(handles.png, handles.info);
+  if (profile.empty()) {
+    const std::vector<float> linear = decoding_table();
+    for (const std::uint16_t code : values)
+      picture.rgb.push_back(linear[code]);
+    return picture;
+  }
+  for (const std::uint16_t code : values)
+    picture.rgb.push_back(static_cast<float>(code) / 65535.0F);
+  take_to_linear_srgb(picture.rgb, profile);
+  return picture;
 }
 
 } // namespace abbe

@@ -161,7 +161,8 @@ ExrPixel write_exr(const std::filesystem::path& path, const SceneLinearImage& im
                    ExrPixel pixel) {
   if (!fits_half(image.rgba)) pixel = ExrPixel::single;
   replace_file(path, [&](const std::filesystem::path& temporary) {
-    require_pixels(image.display, image.data, image.rgba.size(), 4);
+    const bool has_colors = !image.rgba.empty() || image.channels.empty();
+    if (has_colors) require_pixels(image.display, image.data, image.rgba.size(), 4);
     for (const ImageChannel& channel : image.channels)
       require_pixels(image.display, image.data, channel.values.size(), 1);
     Imf::Header header = make_header(image.display, image.data, image.metadata, image.space);
@@ -170,8 +171,9 @@ ExrPixel write_exr(const std::filesystem::path& path, const SceneLinearImage& im
       const auto first = static_cast<std::size_t>(rows.y0 - image.data.y0) *
                          static_cast<std::size_t>(rows.width());
       Channels channels{header, rows};
-      switch (pixel) {
+      switch (has_colors ? pixel : ExrPixel::half) {
       case ExrPixel::half:
+        if (!has_colors) break;
         halves.assign(image.rgba.begin() + static_cast<std::ptrdiff_t>(4 * first),
                       image.rgba.begin() + static_cast<std::ptrdiff_t>(4 * first) +
                           static_cast<std::ptrdiff_t>(4 * rows.pixel_count()));

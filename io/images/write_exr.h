@@ -13,7 +13,8 @@ enum class ExrPixel { half, single };
 
 /// Writes channels R, G, B, A with the `colorInteropID` of its space ("lin_rec709_scene"), data
 /// window inside display window for a crop, the metadata as string attributes, and the image's
-/// further channels in 32 bits (half floats count exactly to 2048 only). Values are
+/// further channels in 32 bits (half floats count exactly to 2048 only). An image that has such
+/// channels may have no colours: then only those are written. Values are
 /// neither clipped nor exposed; NaN and infinity are written as they are. Where a finite value is
 /// beyond the range of half floats, R, G, B and A are written as floats. Returns the type that they
 /// were written in. Errors: `std::runtime_error`, see `replace_file`; the old file is kept.

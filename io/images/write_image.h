@@ -15,6 +15,7 @@ struct OutputOptions {
   TiffDepth tiff_depth = TiffDepth::bits8;
   int png_bits = 8; ///< 8 or 16
   SceneLinearSpace exr_space = SceneLinearSpace::rec709;
+  bool layer_files = false; ///< each layer goes into an EXR of its own
 };
 
 /// True when `write_image` has a writer for the extension of the path, whatever its case.

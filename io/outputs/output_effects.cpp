@@ -36,6 +36,8 @@ constexpr auto kEffects = std::to_array<OutputEffect>({
     {"--exr-pixel", has_exr, "no EXR is written but that of all bands, whose pixels are float"},
     {"--exr-space", has_exr, "no EXR is written but that of all bands, whose space is rec709"},
     {"--errors", has_exr, "only EXR holds errors"},
+    {"--layers", has_exr, "only EXR holds layers"},
+    {"--layer-files", has_exr, "only EXR holds layers"},
     {"--tiff-depth", [](const Outputs& o) { return has_image(o, {".tif", ".tiff"}); },
      "no TIFF is written"},
     {"--png-depth", [](const Outputs& o) { return has_image(o, {".png"}); }, "no PNG is written"},
@@ -44,6 +46,8 @@ constexpr auto kEffects = std::to_array<OutputEffect>({
     {"--gamut", has_screen, kForScreens},
     {"--exposure", has_screen, kForScreens},
     {"--white-point", has_screen, kForScreens},
+    {"--adaptation", has_screen, kForScreens},
+    {"--tone", has_screen, kForScreens},
 });
 
 } // namespace

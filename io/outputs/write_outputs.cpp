@@ -2,10 +2,12 @@
 
 #include "core/image/develop.h"
 #include "core/image/metadata.h"
+#include "core/image/relight.h"
 #include "io/console/terminal.h"
 #include "io/images/write_exr.h"
 #include "io/outputs/picture_warnings.h"
 #include "io/outputs/write_each.h"
+#include "io/outputs/write_layer_files.h"
 
 #include <algorithm>
 #include <vector>
@@ -18,6 +20,22 @@ DisplayImage display_picture(const Rendering& rendering, const Plan& plan,
   DisplayImage image = develop_display(rendering.film, plan, settings);
   say_warning(warning_of_exposure(rendering.film, image));
   return image;
+}
+
+/// The bands of each group of lights under light of equal energy: NAME.light.GROUP.exr.
+bool write_cubes(const Film& film, const Plan& plan, const Outputs& outputs, bool quiet) {
+  std::vector<OutputJob> jobs;
+  for (const std::string& group : plan.light_groups) {
+    std::filesystem::path file = outputs.images.front();
+    file.replace_extension(".light." + group + ".exr");
+    jobs.push_back({file, [&film, &plan, &group, file] {
+                      write_spectral_exr(file, film.window(), [&](const PixelWindow& rows) {
+                        return develop_unit(film, plan, group, rows);
+                      });
+                      return std::string();
+                    }});
+  }
+  return write_each(jobs, quiet);
 }
 
 } // namespace
@@ -34,10 +52,14 @@ bool write_outputs(const Rendering& rendering, const Plan& plan, const Outputs& 
     return write_each(jobs, quiet);
   };
   bool all = true;
-  if (std::ranges::any_of(outputs.images, is_scene_linear_extension))
-    all = write_all(true, develop_scene_linear(rendering.film, plan, options.exr_space), {});
+  if (std::ranges::any_of(outputs.images, is_scene_linear_extension)) {
+    SceneLinearImage image = develop_scene_linear(rendering.film, plan, options.exr_space);
+    if (options.layer_files) all = write_layer_files(image, outputs, options, quiet);
+    all = write_all(true, image, {}) && all;
+  }
   if (!std::ranges::all_of(outputs.images, is_scene_linear_extension))
     all = write_all(false, {}, display_picture(rendering, plan, display_settings)) && all;
+  if (plan.settings.relightable) all = write_cubes(rendering.film, plan, outputs, quiet) && all;
   if (!outputs.spectral) return all;
   const auto write_spectral = [&] {
     const Metadata lost = lost_metadata(rendering.film); // found once, not for each block of rows

@@ -37,7 +37,7 @@ const std::vector<SceneKeyword>& all_keywords() {
          {table_keywords(), setting_keywords(), camera_keywords(), camera_lens_keywords(),
           transform_keywords(), material_keywords(), surface_keywords(), drop_keywords(),
           texture_keywords(), mixture_keywords(), light_keywords(), shape_keywords(),
-          lens_keywords(), boolean_keywords(), macro_keywords()})
+          name_keywords(), lens_keywords(), boolean_keywords(), macro_keywords()})
       rows.insert(rows.end(), table.begin(), table.end());
     return rows;
   }();

@@ -48,7 +48,7 @@ dvec3 world_position(const SceneState& state, Arguments& arguments, const dvec3&
 
 void add_light(SceneState& state, const Arguments& arguments, std::string name,
                const Curve& spectrum, const LightKind& kind) {
-  Light light{std::move(name), spectrum.scaled(state.light.intensity), kind};
+  Light light{std::move(name), spectrum.scaled(state.light.intensity), kind, state.light.group};
   note_light(state.given, light, arguments.keyword().where);
   state.builder.add_light(std::move(light), state.light.given);
 }

@@ -66,6 +66,14 @@ struct ReadRenderValue {
     settings.crop = window;
     state.crop_at = arguments.keyword().where;
   }
+  void operator()(const LayerNames&) const {
+    const Token names = arguments.name_token("a list of layers");
+    ExtraLayers layers;
+    if (!add_layers(names.text, layers))
+      throw ReadError(names.where, "unknown layers " + shown(names), "no such layer",
+                      "docs/layers.md lists them");
+    settings.layers = layers;
+  }
 };
 
 std::string list_of(const std::vector<std::string>& names) {
@@ -80,7 +88,8 @@ struct ReadDisplayValue {
   void operator()(const RealNumber<DisplaySettings>& v) const {
     settings.*v.member = arguments.number(v.range);
   }
-  void operator()(const Choice<DisplaySettings, GamutMapping>& choice) const {
+  template <class Value>
+  void operator()(const Choice<DisplaySettings, Value>& choice) const {
     read_choice(choice, settings, arguments);
   }
   void operator()(const DisplaySpace&) const {

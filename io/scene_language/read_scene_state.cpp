@@ -29,6 +29,9 @@ Curve read_emission(SceneState& state, Arguments& arguments) {
 void place_shape(SceneState& state, const SourcePosition& where, Shape shape,
                  const Transform& to_world, const CurrentMaterial& material) {
   state.builder.add_shape(where, {std::move(shape), to_world, {}, {}, state.priority}, material);
+  if (state.object_name.empty()) return;
+  state.scene.object_names.resize(state.scene.shapes.size());
+  state.scene.object_names.back() = state.object_name;
 }
 
 } // namespace abbe

@@ -29,6 +29,7 @@ struct CurrentLight {
   double intensity = 1.0;
   double soft_edge_deg = 0.0;
   double sun_radius = SunLight().angular_radius;
+  std::string group;   ///< "": by the light's name
   LightKeywords given; ///< the statements that it comes from
 };
 
@@ -88,6 +89,7 @@ struct SceneState {
   std::vector<PushedTransform> pushed;
   CurrentMaterial material = default_material();
   int priority = 0;
+  std::string object_name; ///< of the shapes that follow; "": they have none
   CurrentLight light;
   BooleanScope* boolean = nullptr; ///< the innermost one that is open
 
@@ -124,6 +126,7 @@ struct SceneKeyword {
 [[nodiscard]] std::span<const SceneKeyword> drop_keywords();
 [[nodiscard]] std::span<const SceneKeyword> light_keywords();
 [[nodiscard]] std::span<const SceneKeyword> shape_keywords();
+[[nodiscard]] std::span<const SceneKeyword> name_keywords();
 [[nodiscard]] std::span<const SceneKeyword> lens_keywords();
 [[nodiscard]] std::span<const SceneKeyword> boolean_keywords();
 [[nodiscard]] std::span<const SceneKeyword> macro_keywords();

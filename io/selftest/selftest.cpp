@@ -13,6 +13,7 @@
 #include "io/selftest/radiator_rows.h"
 #include "io/selftest/rainbow_rows.h"
 #include "io/selftest/white_rows.h"
+#include "io/text/json.h"
 
 #include <fmt/format.h>
 
@@ -51,19 +52,6 @@ SelftestRows rows_of(const Subject& subject) {
   }
 }
 
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-  }
-  return result + '"';
-}
-
-std::string json_number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.12g}", value) : "null";
-}
-
 } // namespace
 
 SelftestRows run_selftest() {
@@ -99,8 +87,8 @@ std::string selftest_json(const SelftestRows& rows) {
   for (const SelftestRow& row : rows) {
     json += fmt::format("{}  {{\"subject\": {}, \"what\": {}, \"source\": {}, \"unit\": {}, "
                         "\"expected\": {}, \"got\": {}, \"tolerance\": {}, \"passed\": {}}}",
-                        separator, quoted(row.subject), quoted(row.what), quoted(row.source),
-                        quoted(row.unit), json_number(row.expected), json_number(row.got),
+                        separator, json_string(row.subject), json_string(row.what), json_string(row.source),
+                        json_string(row.unit), json_number(row.expected), json_number(row.got),
                         json_number(row.tolerance), row.passed());
     separator = ",\n";
   }

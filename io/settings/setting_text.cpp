@@ -76,6 +76,12 @@ struct SetFrom {
     settings.crop = PixelWindow{(*c)[0], (*c)[1], (*c)[2], (*c)[3]};
     return true;
   }
+  bool operator()(const LayerNames&) const {
+    ExtraLayers layers;
+    if (!add_layers(text, layers)) return false;
+    settings.layers = layers;
+    return true;
+  }
   bool operator()(const DisplaySpace&) const { return set(find_color_space(text), settings.space); }
   bool operator()(const DisplayTransfer&) const {
     return set(find_transfer(text), settings.transfer);
@@ -119,6 +125,14 @@ struct RightText {
   }
   std::string operator()(const CropCorners& v) const {
     return fmt::format("a crop x0,y0,x1,y1, each {}", words(v.range));
+  }
+  std::string operator()(const LayerNames&) const {
+    std::string names;
+    for (const ExtraLayerName& row : extra_layer_names())
+      names += fmt::format("{}, ", row.name);
+    return fmt::format("a list of layers with commas between; these are: {}class:*, light:NAME and "
+                       "light:*",
+                       names);
   }
   std::string operator()(const DisplaySpace&) const {
     return fmt::format("a display; these are: {}", fmt::join(color_space_names(), ", "));

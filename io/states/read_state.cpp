@@ -44,7 +44,7 @@ LightPassState get_light(ValueReader& in, const RenderPart& part) {
 LayerForm get_form(ValueReader& in) {
   LayerForm form;
   form.name = in.text();
-  form.kind = choice(in.get<std::uint8_t>(), LayerKind::ids);
+  form.kind = choice(in.get<std::uint8_t>(), LayerKind::nearest);
   form.quantum = in.get<double>();
   form.bands = in.get<std::int32_t>();
   form.mean = choice(in.get<std::uint8_t>(), LayerMean::light_passes);

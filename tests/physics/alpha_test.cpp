@@ -138,7 +138,7 @@ TEST_CASE("coloured glass tints what lies behind it by Beer and Lambert's law") 
                             "absorptionTable 2 400 2 700 0 cube");
   Scene scene = test::scene_from(kNarrow + "samples 1 exact on jitter off " + kGlass +
                                  "absorptionTable 2 400 2 700 0 cube");
-  scene.settings.layers.transmittance = true;
+  scene.settings.layers.add(ExtraLayer::transmittance);
   const Film tinted = std::move(test::render_scene(scene, false).film);
   const auto weights = band_weights(BandGrid(81), *find_illuminant("D65"));
   Xyz expected{0.0, 0.0, 0.0}, clear{0.0, 0.0, 0.0};
@@ -195,7 +195,7 @@ Pair both(const std::string& text, const std::optional<Environment>& environment
     Scene scene = test::scene_from(text + kManyThings);
     scene.environment = environment;
     scene.settings.sky = sky;
-    scene.settings.layers.transmittance = true;
+    scene.settings.layers.add(ExtraLayer::transmittance);
     return std::move(test::render_scene(scene, false).film);
   };
   return {film(Sky::visible), film(Sky::transparent)};

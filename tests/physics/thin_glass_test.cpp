@@ -57,6 +57,25 @@ TEST_CASE("clear panes are invisible in a white furnace") {
         Approx(1.0).epsilon(0.01));
 }
 
+// The pane lies in the plane of a face and reaches beyond it. It was seen in place of the face
+// before, and light passed into the glass unbent: 2.25 came out in place of 1.
+TEST_CASE("a pane on a face of glass, or of a wall, gives way to it") {
+  const std::string glass = "defaultMaterials ambient 0 0 0 diffuse 0 0 0 glass N-BK7 ";
+  const std::string pane = "thinGlass 3 2 push translate 0 0 1 scale 2 2 1 square pop "
+                           "push translate 0 0 -1 scale 1 1 1 disc pop ";
+  for (const std::string& order : {glass + "cube " + pane, pane + glass + "cube "}) {
+    const Film film = film_of(kFurnace + "minThroughput 1e-9 exact on samples 1 " + order);
+    for (int y = 0; y < 8; ++y)
+      for (int x = 0; x < 8; ++x)
+        for (const int b : {0, 40, 80})
+          CHECK(film.radiance(x, y, b) == Approx(1.0).epsilon(1e-4));
+  }
+  // A black wall stays black through its pane, and lets nothing shine in from behind.
+  const std::string wall = "defaultMaterials ambient 0 0 0 diffuse 0 0 0 specular 0 0 0 "
+                           "push translate 0 0 1 scale 9 9 1 square pop ";
+  CHECK(mean(kFurnace + "samples 1 " + wall + pane) == 0.0);
+}
+
 TEST_CASE(
     "a light behind a pane lights by what the pane lets through, whatever stops shadow rays") {
   const Glass& bk7 = *find_glass("N-BK7");

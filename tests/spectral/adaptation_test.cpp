@@ -16,6 +16,18 @@ TEST_CASE("Bradford from D65 to D50 is the published matrix") {
       CHECK(m[i][j] == Approx(published[i][j]).margin(1e-7));
 }
 
+TEST_CASE("CAT16 from illuminant A to D65") {
+  // Worked out by hand, in fractions, from the matrix in [Li17]; each of its rows sums to 1.
+  const Matrix3 m = adaptation(to_xyz(Chromaticity{0.44758, 0.40745}, 1.0),
+                               to_xyz(Chromaticity{0.3127, 0.3290}, 1.0), AdaptationMethod::cat16);
+  const Matrix3 expected{{{0.9506814642, -0.1874060997, 0.2629224878},
+                          {-0.0256698866, 1.0323135659, -0.0115667695},
+                          {-0.0027424281, 0.0910143911, 2.8135491680}}};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      CHECK(m[i][j] == Approx(expected[i][j]).margin(1e-9));
+}
+
 TEST_CASE("Adaptation takes white to white, and back") {
   const Xyz a{1.0985, 1.0, 0.35585}, d65{0.95047, 1.0, 1.08883};
   const Xyz white = transformed(bradford_adaptation(a, d65), a);

@@ -1,4 +1,5 @@
 #include "core/film/film.h"
+#include "core/film/merge_films.h"
 #include "tests/catch.h"
 
 #include <array>
@@ -115,4 +116,27 @@ TEST_CASE("splats are rounded up in proportion to what is above a whole quantum"
   CHECK(film.color(0, 0).x == 0.25);
   CHECK(film.color(0, 0).y == 1.0);
   CHECK(film.color(0, 0).z == Approx(2.5).margin(2.0 / kSplatCount));
+}
+
+TEST_CASE("the nearest of samples' values stays, whatever their order and the film they came by") {
+  const LayerForm form{
+      .name = "depth", .kind = LayerKind::nearest, .quantum = 0.25, .mean = LayerMean::samples};
+  const auto film_of = [&](const std::vector<double>& values) {
+    Film film({0, 0, 1, 1}, {form});
+    for (const double value : values)
+      film.add(*film.find("depth"), film.count({0, 0, 0, true}), value);
+    return film;
+  };
+  const LayerId id = *film_of({}).find("depth");
+  CHECK_FALSE(film_of({}).layer(id).nearest(0));
+  CHECK(film_of({3.0, 1.5, 7.0}).mean(id, 0, 0) == 1.5);
+  CHECK(film_of({7.0, 0.0}).layer(id).nearest(0) == 0.0);
+  Film merged = film_of({3.0});
+  merge(merged, film_of({}));
+  CHECK(merged.mean(id, 0, 0) == 3.0);
+  merge(merged, film_of({2.25, 9.0}));
+  CHECK(merged.mean(id, 0, 0) == 2.25);
+  Film refuses = film_of({-1.0, std::numeric_limits<double>::quiet_NaN()});
+  CHECK_FALSE(refuses.layer(id).nearest(0));
+  CHECK(refuses.refused().not_finite == 1);
 }

@@ -3,6 +3,7 @@
 #include "spectral/illuminant.h"
 #include "tests/catch.h"
 
+#include <cmath>
 #include <stdexcept>
 
 using namespace abbe;
@@ -64,6 +65,30 @@ TEST_CASE("exposure acts before the gamut, the transfer function after it") {
   CHECK(code.r == Approx(0.765538511).margin(1e-9)); // printed as 0.766
   CHECK(code.g == Approx(0.0).margin(1e-6));
   CHECK(code.b == Approx(1.0).margin(1e-12));
+}
+
+TEST_CASE("the tone curve acts after the exposure, and the gamut mapping none changes nothing") {
+  DisplaySettings settings;
+  settings.exposure_ev = 1.0;
+  settings.tone = ToneCurve::filmic;
+  const DisplayTransform transform(settings, Observer::cie1931_2deg);
+  const double shown = tone(ToneCurve::filmic, 3.0);
+  check_equal(transform.linear(to_xyz(LinearRgb{1.5, 1.5, 1.5})), {shown, shown, shown}, 1e-12);
+  settings.tone = ToneCurve::linear;
+  settings.gamut = GamutMapping::none;
+  const DisplayTransform plain(settings, Observer::cie1931_2deg);
+  check_equal(plain.linear(to_xyz(LinearRgb{1.5, -0.25, 0.1})), {3.0, -0.5, 0.2}, 1e-12);
+}
+
+TEST_CASE("CAT16 takes a white point to white, and other colours another way than Bradford") {
+  DisplaySettings settings;
+  settings.white_point = WhitePoint::of_light(*find_illuminant("A"));
+  const Xyz white = to_xyz(*find_illuminant("A")), red{0.4, 0.25, 0.05};
+  const LinearRgb before = DisplayTransform(settings, Observer::cie1931_2deg).unclipped(red);
+  settings.adaptation = AdaptationMethod::cat16;
+  const DisplayTransform transform(settings, Observer::cie1931_2deg);
+  check_equal(transform.linear(white * (0.5 / white.y)), {0.5, 0.5, 0.5}, 1e-12);
+  CHECK(std::abs(transform.unclipped(red).r - before.r) > 1e-3);
 }
 
 TEST_CASE("the encoding of a display is that of its space unless another is chosen") {

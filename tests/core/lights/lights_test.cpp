@@ -36,31 +36,34 @@ std::string notes(const Plan& plan) {
 
 } // namespace
 
-// Powers: a ball of radius 1 and radiance 1 has pi 4 pi; a square with both sides pi 8, with one
-// pi 4; a point of intensity 1 has 4 pi; a cone of 60 degrees half of 2 pi; parallel light pi
-// through a disc about the scene.
-TEST_CASE("lights are chosen in proportion to their power") {
-  const Lit lit("falloff square light E 0 0 9 1 spotlight E 0 0 9 1 0 0 -1 60 falloff none\n"
-                "light E 0 0 1 0\n"
+// What each can send to the place (0.3, 5.2, 1.5): a point of intensity I gives I / d^2, and a cone
+// of 60 degrees within it the same; without falloff a light gives pi, as parallel light does; a
+// ball of radius 1 shows the area pi, a square of 2 by 2 half of its area where both sides shine,
+// and all of it where the place lies before its front, less than the angle that it fills off its
+// axis.
+TEST_CASE("lights are chosen by what they can send to a place") {
+  const Lit lit("falloff square intensity 90 light E 0 0 9 1 spotlight E 0 0 9 1 0 0 -1 60\n"
+                "falloff none intensity 1 light E 0 0 1 0\n"
                 "diffuse 0 0 0 emissive E 1 sphere translate 0 5 0 square emissiveSides front "
                 "emissive E 2 square");
   const Scene& scene = lit.scene;
   REQUIRE(scene.lights.size() == 3);
-  std::array<double, 6> power{4.0 * kPi, kPi, 0.0, 4.0 * kPi * kPi, 8.0 * kPi, 8.0 * kPi};
-  Bounds box;
-  for (const PlacedShape& shape : scene.shapes)
-    box = box.joined(bounds(shape));
-  box = box.joined({{0, 0, 9}, {0, 0, 9}});
-  power[2] = kPi * kPi * 0.25 * glm::dot(box.upper - box.lower, box.upper - box.lower);
+  const dvec3 place(0.3, 5.2, 1.5); // lit by all, from above and from the front
+  const auto falls = [&](const dvec3& from) {
+    const dvec3 way = place - from;
+    return 1.0 / glm::dot(way, way);
+  };
+  const std::array<double, 6> expected_light{
+      90.0 * falls({0, 0, 9}), 90.0 * falls({0, 0, 9}), kPi,
+      kPi * falls({0, 0, 0}),  2.0 * falls({0, 5, 0}),  2.0 * 4.0 * falls({0, 5, 0})};
   double total = 0.0;
-  for (const double p : power)
-    total += p;
+  for (const double e : expected_light)
+    total += e;
 
   constexpr int kDraws = 60000;
   std::array<double, 6> counts{};
   std::mt19937_64 engine(2);
   const auto number = [&] { return std::ldexp(static_cast<double>(engine() >> 11), -53); };
-  const dvec3 place(0.3, 5.2, 1.5); // lit by all, from above and from the front
   for (int i = 0; i < kDraws; ++i) {
     const double choice = number(), x = number();
     const auto sample = lit.lights.sample(place, choice, {x, number()});
@@ -78,8 +81,8 @@ TEST_CASE("lights are chosen in proportion to their power") {
     counts[light] += 1.0;
   }
   double chi_square = 0.0;
-  for (std::size_t i = 0; i < power.size(); ++i) {
-    const double expected = kDraws * power[i] / total;
+  for (std::size_t i = 0; i < expected_light.size(); ++i) {
+    const double expected = kDraws * expected_light[i] / total;
     chi_square += std::pow(counts[i] - expected, 2) / expected;
     CAPTURE(i, counts[i], expected);
     CHECK(counts[i] == Approx(expected).epsilon(0.1));

@@ -23,12 +23,12 @@ namespace {
 
 /// A pixel for each of these colours, of which a film has one sample. Its quantum is as that of a
 /// scene whose brightest light is `brightest`.
-struct Picture {
+struct ColorRow {
   std::vector<Xyz> colours;
   Film film;
   Plan plan;
 
-  Picture(const std::vector<Xyz>& given, double brightest)
+  ColorRow(const std::vector<Xyz>& given, double brightest)
       : colours(given), film({0, 0, static_cast<int>(given.size()), 1},
                              std::ldexp(1.0, std::ilogb(brightest) - 36), 0),
         plan(planned(static_cast<int>(given.size()))) {
@@ -65,7 +65,7 @@ std::vector<float> tiff_floats(const std::filesystem::path& path) {
 TEST_CASE("radiances of 1e-30 and 1e+30 come through the film and float files as they are") {
   const Folder folder;
   for (const double scale : {1e-30, 1.0, 1e30}) {
-    const Picture picture({{0.0, 0.0, 0.0}, kGrey * scale, kOutside * scale}, scale);
+    const ColorRow picture({{0.0, 0.0, 0.0}, kGrey * scale, kOutside * scale}, scale);
     CHECK(picture.film.refused().overflow == 0);
     const auto linear = develop_scene_linear(picture.film, picture.plan, SceneLinearSpace::rec709);
     const auto display = develop_display(picture.film, picture.plan, {});
@@ -92,12 +92,12 @@ TEST_CASE("radiances of 1e-30 and 1e+30 come through the film and float files as
 
 TEST_CASE("half floats give way to floats where a picture is too bright for them") {
   const Folder folder;
-  const Picture bright({kGrey * 1e30, kGrey}, 1e30);
+  const ColorRow bright({kGrey * 1e30, kGrey}, 1e30);
   const auto linear = develop_scene_linear(bright.film, bright.plan, SceneLinearSpace::rec709);
   CHECK_FALSE(write_image(folder.path / "h.exr", linear, {}, {}).empty()); // and that is told
   CHECK(read_exr_image(folder.path / "h.exr").rgb[0] == Approx(0.25e30).epsilon(1e-6));
   // Less than the half's least number, 6e-8, is black.
-  const Picture faint({kGrey * 1e-30}, 1e-30);
+  const ColorRow faint({kGrey * 1e-30}, 1e-30);
   const auto dark = develop_scene_linear(faint.film, faint.plan, SceneLinearSpace::rec709);
   CHECK(write_image(folder.path / "d.exr", dark, {}, {}).empty());
   CHECK(read_exr_image(folder.path / "d.exr").rgb == std::vector<float>{0.0f, 0.0f, 0.0f});
@@ -107,7 +107,7 @@ TEST_CASE("what is beyond single precision is the largest number there, and not 
   const Folder folder;
   DisplaySettings settings;
   settings.exposure_ev = 64.0;
-  const Picture picture({kGrey * 1e30, kOutside * 1e30}, 1e30);
+  const ColorRow picture({kGrey * 1e30, kOutside * 1e30}, 1e30);
   const auto display = develop_display(picture.film, picture.plan, settings);
   OutputOptions options;
   options.tiff_depth = TiffDepth::float32;
@@ -125,11 +125,12 @@ TEST_CASE("integer files show light at the limits as black, white, and the colou
       for (const bool deep : {false, true}) {
         DisplaySettings settings;
         settings.gamut = gamut;
-        const Picture picture({{0.0, 0.0, 0.0}, kGrey * 1e-30, kGrey, kGrey * 1e30, kOutside},
-                              1e30);
+        const ColorRow picture({{0.0, 0.0, 0.0}, kGrey * 1e-30, kGrey, kGrey * 1e30, kOutside},
+                               1e30);
         // The quantum of a picture with such a light is larger than its greys.
         CHECK(picture.film.color(2, 0).y == 0.0);
-        const Picture moderate({{0.0, 0.0, 0.0}, kGrey * 1e-30, kGrey, kGrey * 1e8, kOutside}, 1.0);
+        const ColorRow moderate({{0.0, 0.0, 0.0}, kGrey * 1e-30, kGrey, kGrey * 1e8, kOutside},
+                                1.0);
         const auto display = develop_display(moderate.film, moderate.plan, settings);
         OutputOptions options;
         options.png_bits = deep ? 16 : 8;

@@ -28,7 +28,8 @@ TEST_CASE("options of images that are not written are warned of") {
       {"--tiff-depth", "16", ".tiff"}, {"--png-depth", "16", ".png"},
       {"--display", "p3", ".png"},     {"--transfer", "2.2", ".tiff"},
       {"--gamut", "clip", ".tif"},     {"--exposure", "1", ".png"},
-      {"--white-point", "D50", ".PNG"}};
+      {"--white-point", "D50", ".PNG"}, {"--adaptation", "cat16", ".png"},
+      {"--tone", "filmic", ".tif"}};
   for (const auto& option : options) {
     const std::string right = std::string("a") + option[2];
     const char* const wrong = option[2] == std::string(".exr") ? "a.png" : "a.exr";

@@ -264,7 +264,7 @@ TEST_CASE("a command line that cannot be understood ends with 2") {
   CHECK(exit_code_of({"paint"}) == kExitUsage);
   CHECK(exit_code_of({"render"}) == kExitUsage);
   CHECK(exit_code_of({"list"}) == kExitUsage);
-  CHECK(exit_code_of({"list", "shapes"}) == kExitUsage);
+  CHECK(exit_code_of({"list", "shapes", "--plot", "D65"}) == kExitUsage);
   CHECK(exit_code_of({"list", "glasses", "--plot-file", "a.png"}) == kExitUsage); // of what?
   CHECK(exit_code_of({"list", "--plot", "D65", "--plot-file", "a.exr"}) == kExitUsage);
   CHECK(exit_code_of({"plan", "a.sdl", "-o", "a.exr"}) == kExitUsage); // plan writes nothing

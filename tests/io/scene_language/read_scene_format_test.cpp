@@ -19,8 +19,8 @@ TEST_CASE("docs/scene_format.md has every keyword with its arguments") {
   for (const auto& table :
        {table_keywords(), setting_keywords(), camera_keywords(), camera_lens_keywords(),
         transform_keywords(), material_keywords(), surface_keywords(), drop_keywords(),
-        texture_keywords(), mixture_keywords(), light_keywords(), shape_keywords(), lens_keywords(),
-        boolean_keywords(), macro_keywords()})
+        texture_keywords(), mixture_keywords(), light_keywords(), shape_keywords(), name_keywords(),
+        lens_keywords(), boolean_keywords(), macro_keywords()})
     for (const SceneKeyword& keyword : table) {
       INFO(keyword.usage);
       CHECK(text.find("- `" + std::string(keyword.usage) + "`:") != std::string::npos);

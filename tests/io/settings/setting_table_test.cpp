@@ -51,7 +51,8 @@ const std::map<std::string_view, Example> kExamples{
     {"--light-paths", "0.5"},
     {"--photon-radius", "0.2"},
     {"--errors", {"on", ""}},
-    {"--layers", {"", "transmittance"}},
+    {"--layers", {"", "transmittance,depth"}},
+    {"--relightable", {"on", ""}},
     {"--size", {"640 480", "640x480"}},
     {"--crop", {"1 2 30 40", "1,2,30,40"}},
     {"--threads", "3"},
@@ -62,14 +63,17 @@ const std::map<std::string_view, Example> kExamples{
     {"--gamut", "clip"},
     {"--exposure", "-1.5"},
     {"--white-point", {"0.3457 0.3585", "0.3457,0.3585"}},
+    {"--adaptation", "cat16"},
+    {"--tone", "filmic"},
 };
 
 // These are of one run on one machine, not of a scene.
-const std::set<std::string_view> kNotInScenes{"--time",    "--errors", "--layers",
+const std::set<std::string_view> kNotInScenes{"--time",    "--errors", "--layers", "--relightable",
                                               "--threads", "--skip",   "--tracing"};
 // Those, and what the windows and channels of an image file tell.
-const std::set<std::string_view> kNotInMetadata{"--errors",  "--layers", "--size",   "--crop",
-                                                "--threads", "--skip",   "--tracing"};
+const std::set<std::string_view> kNotInMetadata{"--errors", "--layers", "--relightable",
+                                                "--size",   "--crop",   "--threads",
+                                                "--skip",   "--tracing"};
 
 RenderCommand parse(const std::string& option, const std::string& value) {
   std::vector<const char*> words{"abbe", "render", "scene.sdl", option.c_str()};
@@ -178,13 +182,14 @@ TEST_CASE("every member of the settings has its row") {
   const RenderSettings render;
   [[maybe_unused]] const auto& [width, height, crop, bands, observer, samples, noise, seconds,
                                 adaptive, keep_errors, seed, integrator, filter, sky, layers,
-                                max_depth, min_throughput, min_reflectivity, min_transparency,
-                                shadows, caustics, light_paths, photon_radius, exact, jitter,
-                                tolerance, max_fan, threads, skip, tracing] = render;
-  CHECK(render_setting_table().size() == 30 - 1); // width and height are one setting
+                                relightable, max_depth, min_throughput, min_reflectivity,
+                                min_transparency, shadows, caustics, light_paths, photon_radius,
+                                exact, jitter, tolerance, max_fan, threads, skip, tracing] = render;
+  CHECK(render_setting_table().size() == 31 - 1); // width and height are one setting
   const DisplaySettings display;
-  [[maybe_unused]] const auto& [exposure, gamut, space, transfer, white_point] = display;
-  CHECK(display_setting_table().size() == 5);
+  [[maybe_unused]] const auto& [exposure, gamut, space, transfer, white_point, adaptation, tone] =
+      display;
+  CHECK(display_setting_table().size() == 7);
 }
 
 TEST_CASE("a setting is the same from a scene and from the command line") {
@@ -241,10 +246,12 @@ TEST_CASE("an image file tells every setting that shaped the image") {
     CHECK(names(render_metadata(changed), name, value_text(row, changed.settings)));
     CHECK(render_metadata(changed) != render_metadata(plan));
   }
-  const Metadata usual = display_metadata({}, Observer::cie1931_2deg);
   for (const DisplaySetting& row : display_setting_table()) {
     INFO(row.option);
     DisplaySettings changed;
+    if (row.option == "--adaptation")
+      changed.white_point = WhitePoint::at({0.4, 0.4}); // it needs one
+    const Metadata usual = display_metadata(changed, Observer::cie1931_2deg);
     set_from_text(row, kExamples.at(row.option).option, changed);
     const Metadata data = display_metadata(changed, Observer::cie1931_2deg);
     CHECK(data != usual);

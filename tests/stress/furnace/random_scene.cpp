@@ -34,11 +34,33 @@ public:
     const int count = 1 + random_.below(5);
     for (int i = 0; i < count; ++i)
       scene.items.push_back(item(scene.items));
+    keep_out_what_is_no_furnace(scene.items);
     settings(scene);
     return scene;
   }
 
 private:
+  /// In a medium of index n the field is n^2. What gives off 1 less its reflectance is in balance
+  /// in air alone, so nothing gives off light where a solid of another index could stand around it.
+  /// A pane on a solid's face gives way to it, with what it would absorb: where light is lost,
+  /// panes stand a little beside.
+  void keep_out_what_is_no_furnace(std::vector<Item>& items) {
+    const bool dense = std::ranges::any_of(items, [](const Item& item) {
+      const Substance& s = item.substance;
+      return !item.solid.names.empty() ||
+             (s.lets_light_in() && (!s.glass.empty() || s.index != 1.0));
+    });
+    for (Item& item : items) {
+      Substance& substance = item.substance;
+      if (dense && substance.emission > 0.0) {
+        substance.emission = 0.0;
+        substance.reflectivity = 1.0;
+      }
+      if (losses_ == Losses::lossy && item.solid.flat())
+        item.solid.placing.push_back(translate(0.0, 0.0, 0.0371));
+    }
+  }
+
   Placing turn() {
     return {Placing::Kind::rotate,
             {random_.between(0.0, 360.0), random_.between(-1.0, 1.0), random_.between(-1.0, 1.0),

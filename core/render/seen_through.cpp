@@ -1,0 +1,83 @@
+#include "core/render/seen_through.h"
+
+#include "core/optics/fresnel.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace abbe {
+namespace {
+
+constexpr int kMostSurfaces = 64;
+
+const MaterialPlan& larger_part(const Plan& plan, const Hit& hit) {
+  const MaterialPlan* part = &plan.materials[hit.material.index()];
+  while (part->mixture) {
+    const MixturePlan& mix = *part->mixture;
+    part = &plan.materials[static_cast<std::size_t>(mix.share >= 0.5 ? mix.first : mix.second)];
+  }
+  return *part;
+}
+
+/// The direction in which the ray goes on, and whether to the other side of the surface.
+struct Turn {
+  dvec3 direction;
+  bool through;
+};
+
+Turn turn_at(const Plan& plan, const Hit& hit, const dvec3& direction, bool transmits) {
+  const dvec3 normal = hit.entering ? hit.normal : -hit.normal;
+  const double cos_i = std::min(1.0, -glm::dot(direction, normal));
+  if (transmits) {
+    const double eta = plan.medium(hit.medium_after).index.at(kSeenThroughNm) /
+                       plan.medium(hit.medium_before).index.at(kSeenThroughNm);
+    if (const auto cos_t = refracted_cosine(cos_i, eta))
+      return {refracted(direction, normal, cos_i, *cos_t, eta), true};
+  }
+  return {reflected(direction, normal), false};
+}
+
+/// The angle between two directions of unit length; right for small angles too.
+double angle_between(const dvec3& a, const dvec3& b) {
+  return 2.0 * std::atan2(glm::length(a - b), glm::length(a + b));
+}
+
+} // namespace
+
+SeenThrough see_through(const Plan& plan, const World& world, RayState state, const Hit& first) {
+  SeenThrough seen;
+  const dvec3 begin = state.ray.direction;
+  Hit hit = first;
+  Passage passage;
+  bool straight_on = false;
+  for (int met = 0; hit.met() && met < kMostSurfaces; ++met) {
+    const MediumId before = hit.medium_before;
+    if (before.valid() && !plan.media[before.index()].drops) seen.glass_length += hit.t;
+    const MaterialPlan& material = larger_part(plan, hit);
+    const BsdfFacts facts = material.facts();
+    if (facts.passes || plan.unseen(hit)) {
+      if (!straight_on) passage = {};
+      straight_on = true;
+      if (!passage.go_through(hit, state)) return seen;
+      world.find_closest(state, kInfinity, passage, hit);
+      continue;
+    }
+    if (!facts.specular() || facts.coats || (material.lit() && !facts.transmits)) {
+      seen.normal = hit.entering ? hit.normal : -hit.normal;
+      return seen;
+    }
+    const Turn turn = turn_at(plan, hit, state.ray.direction, facts.transmits);
+    state = {{hit.point, turn.direction},
+             turn.through ? hit.other_side : hit.same_side,
+             turn.through ? hit.nesting_after : hit.nesting_before};
+    straight_on = false;
+    ++seen.surfaces;
+    seen.deviation = angle_between(begin, turn.direction);
+    world.find_closest(state, hit);
+  }
+  return seen;
+}
+
+} // namespace abbe

@@ -1,0 +1,22 @@
+#include "io/text/json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace abbe {
+
+std::string json_string(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return result + '"';
+}
+
+std::string json_number(double value) {
+  return std::isfinite(value) ? fmt::format("{:.12g}", value) : "null";
+}
+
+} // namespace abbe

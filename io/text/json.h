@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace abbe {
+
+/// The text as a string of JSON, with its quotes.
+[[nodiscard]] std::string json_string(std::string_view text);
+
+/// The number as JSON has it, to 12 digits; null for what JSON has no number for.
+[[nodiscard]] std::string json_number(double value);
+
+} // namespace abbe
