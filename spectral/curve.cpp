@@ -66,6 +66,19 @@ double Curve::at(double lambda_nm) const {
   return std::visit([&](const auto& form) { return value_at(form, lambda_nm); }, form_);
 }
 
+double Curve::mean(double lower_nm, double upper_nm) const {
+  if (const auto* form = std::get_if<Table>(&form_))
+    return integral(*form, lower_nm, upper_nm) / (upper_nm - lower_nm);
+  return at(0.5 * (lower_nm + upper_nm));
+}
+
+Curve Curve::sampled81() const {
+  std::vector<double> values;
+  for (int k = 0; k < kSampleCount; ++k)
+    values.push_back(mean(sample_nm(k) - 0.5 * kSampleStepNm, sample_nm(k) + 0.5 * kSampleStepNm));
+  return samples81(std::move(values));
+}
+
 std::optional<double> Curve::constant_value() const {
   if (const auto* form = std::get_if<Constant>(&form_)) return form->value;
   return std::nullopt;
@@ -131,6 +144,23 @@ double Curve::value_at(const Table& form, double lambda_nm) {
   const auto upper = std::upper_bound(x.begin(), x.end(), lambda_nm);
   const auto i = upper - x.begin();
   return mix(form.values[i - 1], form.values[i], (lambda_nm - x[i - 1]) / (x[i] - x[i - 1]));
+}
+
+/// By trapezoids from point to point, which are exact for what is linear between them.
+double Curve::integral(const Table& form, double lower_nm, double upper_nm) {
+  const std::vector<double>& x = form.wavelengths_nm;
+  if (form.outside == Outside::zero) {
+    lower_nm = std::max(lower_nm, x.front());
+    upper_nm = std::min(upper_nm, x.back());
+  }
+  double sum = 0.0, from = lower_nm;
+  auto next = std::upper_bound(x.begin(), x.end(), lower_nm);
+  while (from < upper_nm) {
+    const double to = next == x.end() ? upper_nm : std::min(*next++, upper_nm);
+    sum += 0.5 * (value_at(form, from) + value_at(form, to)) * (to - from);
+    from = to;
+  }
+  return sum;
 }
 
 double Curve::value_at(const Lines& form, double lambda_nm) {

@@ -52,6 +52,13 @@ public:
   /// over bands takes the lines themselves.
   [[nodiscard]] double at(double lambda_nm) const;
 
+  /// The mean over a range of wavelengths. Of a table it is the exact integral over the width. A
+  /// sample stands for its cell already, so that of samples it is the value in the middle.
+  [[nodiscard]] double mean(double lower_nm, double upper_nm) const;
+
+  /// Samples of the thesis's convention: the means over 5 nm around 380, 385 ... 780 nm.
+  [[nodiscard]] Curve sampled81() const;
+
   /// The value, when the curve was made as a constant.
   [[nodiscard]] std::optional<double> constant_value() const;
 
@@ -95,6 +102,7 @@ private:
   [[nodiscard]] static double value_at(const Samples& form, double lambda_nm);
   [[nodiscard]] static double value_at(const Table& form, double lambda_nm);
   [[nodiscard]] static double value_at(const Lines& form, double lambda_nm);
+  [[nodiscard]] static double integral(const Table& form, double lower_nm, double upper_nm);
   [[nodiscard]] static Table as_table(const Samples& form);
   [[nodiscard]] static Curve product(const Table& a, const Table& b);
 

@@ -7,13 +7,16 @@
 namespace abbe {
 namespace {
 
-// The cells that bands are folded from: equal widths over 377.5-782.5 nm, read at their centres.
+// The cells that bands are folded from: equal widths over 377.5-782.5 nm.
 struct Cells {
   int count;
   double first_nm;
   double step_nm;
 
   double nm(int cell) const { return first_nm + step_nm * cell; }
+  double mean(const Curve& light, int cell) const {
+    return light.mean(nm(cell) - 0.5 * step_nm, nm(cell) + 0.5 * step_nm);
+  }
 };
 
 constexpr Cells kCells5nm{kSampleCount, kFirstSampleNm, kSampleStepNm};
@@ -91,7 +94,7 @@ std::vector<Xyz> band_weights(const BandGrid& grid, const Curve& light, Observer
   std::vector<Xyz> weights(grid.count());
   for (int band = 0; band < grid.count(); ++band)
     for_each_overlap(band, grid.count(), cells.count, [&](int cell, double part) {
-      weights[band] += matching[cell] * (part * light.at(cells.nm(cell)));
+      weights[band] += matching[cell] * (part * cells.mean(light, cell));
     });
   return weights;
 }
@@ -108,7 +111,7 @@ std::vector<double> band_means(const BandGrid& grid, const Curve& light) {
     double sum = 0.0;
     double total = 0.0;
     for_each_overlap(band, grid.count(), cells.count, [&](int cell, double part) {
-      sum += part * light.at(cells.nm(cell));
+      sum += part * cells.mean(light, cell);
       total += part;
     });
     means[band] = sum / total;

@@ -1,6 +1,7 @@
 #include "core/bundles/fan.h"
 
 #include "core/optics/fresnel.h"
+#include "core/optics/shading_side.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@ void Fan::prepare(const Bundle& bundle, BandRange bands, PathWavelengths& wavele
   incoming_ = &bundle;
   const Hit& hit = bundle.hit;
   const dvec3& direction = bundle.state.ray.direction;
-  facing_normal_ = hit.entering ? hit.normal : -hit.normal;
+  facing_normal_ = hit.facing_shading_normal();
   cos_i_ = std::min(1.0, std::abs(glm::dot(direction, facing_normal_)));
   n_before_ = wavelengths.indices(hit.medium_before);
   n_after_ = wavelengths.indices(hit.medium_after);
@@ -35,7 +36,19 @@ void Fan::prepare(const Bundle& bundle, BandRange bands, PathWavelengths& wavele
 dvec3 Fan::refracted_direction(double n_before, double n_after) const {
   const double eta = n_after / n_before;
   const double cos_t = refracted_cosine(cos_i_, eta).value_or(0.0);
-  return refracted(incoming_->state.ray.direction, facing_normal_, cos_i_, cos_t, eta);
+  const dvec3 direction =
+      refracted(incoming_->state.ray.direction, facing_normal_, cos_i_, cos_t, eta);
+  if (incoming_->hit.bent()) [[unlikely]]
+    return kept_on_side(direction, incoming_->hit.facing_normal(), false);
+  return direction;
+}
+
+double Fan::adjoint_of(double n_before, double n_after) const {
+  const double eta = n_after / n_before;
+  const double cos_t = refracted_cosine(cos_i_, eta).value_or(0.0);
+  const dvec3& from = incoming_->state.ray.direction;
+  return adjoint_factor(from, refracted(from, facing_normal_, cos_i_, cos_t, eta), facing_normal_,
+                        incoming_->hit.normal);
 }
 
 /// Adds the incoming ray, refracted between these two indices, and returns its number.
@@ -76,12 +89,17 @@ void Fan::trace_new_rays(RayCounts& counts) {
 void Fan::add_band(int band, float weight) {
   const auto ray = static_cast<std::size_t>(ray_of_band_[static_cast<std::size_t>(band)]);
   cells_.push_back({{band, band + 1}, weight, false, &states_[ray], &hits_[ray]});
+  if (incoming_->hit.bent()) [[unlikely]]
+    cells_.back().adjoint = adjoint_of(n_before_[band], n_after_[band]);
 }
 
 FanCell& Fan::add_shared_ray(BandRange range, double n_before, double n_after) {
   const std::size_t ray = add_ray(n_before, n_after);
-  return cells_.emplace_back(
+  FanCell& cell = cells_.emplace_back(
       FanCell{range, 1.0f, true, &states_[ray], &hits_[ray], separation_, divergence_});
+  if (incoming_->hit.bent()) [[unlikely]]
+    cell.adjoint = adjoint_of(n_before, n_after);
+  return cell;
 }
 
 void Fan::add_shared(BandRange range, PathWavelengths& wavelengths) {

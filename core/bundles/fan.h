@@ -18,6 +18,7 @@ struct FanCell {
   const RayState* state = nullptr;
   const Hit* hit = nullptr; ///< what its ray meets; null for a ray that is not traced yet
   double separation = 0.0, divergence = 0.0; ///< as of a Bundle
+  double adjoint = 1.0;                      ///< factor on flux, see adjoint_factor
 };
 
 /// Makes `next` the sub-bundle with which `bundle` goes on behind its hit. Both may be the same.
@@ -50,6 +51,7 @@ private:
 
   void prepare(const Bundle& bundle, BandRange bands, PathWavelengths& wavelengths);
   [[nodiscard]] dvec3 refracted_direction(double n_before, double n_after) const;
+  [[nodiscard]] double adjoint_of(double n_before, double n_after) const;
   std::size_t add_ray(double n_before, double n_after);
   [[nodiscard]] const dvec3& direction_of(int band) const;
   [[nodiscard]] const Hit& hit_of(int band) const;

@@ -33,7 +33,7 @@ public:
       : lens_(focused.lens), distance_(focused.film_distance), n_(lens_.indices(lambda_nm)) {
     const LensSystem::Surface& last = lens_.surfaces().back();
     semi_ = last.semi_diameter;
-    rim_ = last.curvature == 0.0 ? 0.0 : sag(1.0 / last.curvature, semi_);
+    rim_ = last.profile.most_sag(semi_);
   }
 
   [[nodiscard]] bool passes(double film_radius, const dvec2& pupil) const {

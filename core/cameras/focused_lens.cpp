@@ -17,8 +17,7 @@ namespace {
 /// How far the last surface reaches towards the film, from its vertex.
 double reach_of_last_surface(const LensSystem& lens) {
   const LensSystem::Surface& last = lens.surfaces().back();
-  if (!(last.curvature > 0.0)) return 0.0;
-  return sag(1.0 / last.curvature, std::min(last.semi_diameter, 1.0 / last.curvature));
+  return std::max(0.0, last.profile.most_sag(last.semi_diameter));
 }
 
 } // namespace

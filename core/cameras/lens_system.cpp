@@ -61,8 +61,15 @@ void LensSystem::add_surfaces(const LensPrescription& prescription) {
     const auto known = std::find(laws.begin(), laws.end(), surface.medium_after);
     const auto after = static_cast<std::size_t>(known - laws.begin());
     if (known == laws.end()) laws.push_back(surface.medium_after);
-    surfaces_.push_back({vertex, surface.radius_mm == 0.0 ? 0.0 : 1.0 / surface.radius_mm,
-                         surface.semi_diameter_mm.value_or(kInfinite), before, after});
+    LensProfile profile{surface.radius_mm == 0.0 ? 0.0 : 1.0 / surface.radius_mm, surface.conic,
+                        surface.even_terms};
+    if (!profile.spherical() && !surface.semi_diameter_mm)
+      throw std::invalid_argument("an aspheric surface has no semi-diameter");
+    if (surface.semi_diameter_mm && !profile.spherical() &&
+        !profile.reaches(*surface.semi_diameter_mm))
+      throw std::invalid_argument("a conic surface ends before its semi-diameter");
+    surfaces_.push_back({vertex, profile.curvature, surface.semi_diameter_mm.value_or(kInfinite),
+                         before, after, !profile.spherical(), profile});
     vertex += surface.thickness_mm;
     before = after;
   }
@@ -93,7 +100,8 @@ void LensSystem::size_surfaces(const LensPrescription& prescription) {
   const std::vector<double> chief = chief_heights(prescription.half_field_deg);
   for (std::size_t i = 0; i < surfaces_.size(); ++i)
     if (Surface& s = surfaces_[i]; unknown(s)) {
-      const double whole = s.curvature == 0.0 ? kInfinite : std::abs(1.0 / s.curvature);
+      const double c = s.curvature;
+      const double whole = c == 0.0 ? kInfinite : std::abs(1.0 / c);
       s.semi_diameter = std::min(marginal[i] + std::abs(chief[i]), whole);
       if (!std::isfinite(s.semi_diameter))
         throw std::invalid_argument("the beam through its stop does not come through it");
@@ -119,8 +127,9 @@ std::vector<double> LensSystem::chief_heights(double half_field_deg) const {
       height += slope * (s.vertex - vertex);
       heights.push_back(height);
       vertex = s.vertex;
-      slope =
-          (n[s.before] * slope - height * s.curvature * (n[s.after] - n[s.before])) / n[s.after];
+      slope = (n[s.before] * slope -
+               height * s.profile.vertex_curvature() * (n[s.after] - n[s.before])) /
+              n[s.after];
     }
     return heights;
   };
@@ -159,8 +168,9 @@ ParaxialLens LensSystem::paraxial(double lambda_nm) const {
     for (const Surface& s : surfaces_) {
       height += slope * (s.vertex - vertex);
       vertex = s.vertex;
-      slope =
-          (n[s.before] * slope - height * s.curvature * (n[s.after] - n[s.before])) / n[s.after];
+      slope = (n[s.before] * slope -
+               height * s.profile.vertex_curvature() * (n[s.after] - n[s.before])) /
+              n[s.after];
     }
     last_height = height;
     last_slope = slope;
@@ -190,13 +200,19 @@ std::optional<LensRay> LensSystem::trace(const Ray& ray, std::span<const double>
     if (!(sign * d.z > 0.0)) return std::nullopt;
     const double to_plane = (s.vertex - p.z) / d.z;
     const dvec3 q = {p.x + to_plane * d.x, p.y + to_plane * d.y, 0.0};
-    const double g = sign * (d.z - s.curvature * (q.x * d.x + q.y * d.y));
-    const double f = s.curvature * (q.x * q.x + q.y * q.y);
-    const double square = g * g - s.curvature * f;
-    if (!(square >= 0.0)) return std::nullopt;
-    const double cos_i = std::sqrt(square);
-    if (!(g + cos_i > 0.0)) return std::nullopt; // beyond the equator of the sphere
-    const double to_surface = sign * f / (g + cos_i);
+    const double c = s.curvature;
+    double to_surface = 0.0, cos_i = 0.0;
+    if (!s.aspheric) [[likely]] {
+      const double g = sign * (d.z - c * (q.x * d.x + q.y * d.y));
+      const double f = c * (q.x * q.x + q.y * q.y);
+      const double square = g * g - c * f;
+      if (!(square >= 0.0)) return std::nullopt;
+      cos_i = std::sqrt(square);
+      if (!(g + cos_i > 0.0)) return std::nullopt; // beyond the equator of the sphere
+      to_surface = sign * f / (g + cos_i);
+    } else {
+      to_surface = meet_profile(s.profile, s.semi_diameter, q, d);
+    }
     if (k > 0 && to_plane + to_surface < 0.0) return std::nullopt; // surfaces cross there
     const dvec3 local = q + to_surface * d;
     p = {local.x, local.y, local.z + s.vertex};
@@ -205,12 +221,17 @@ std::optional<LensRay> LensSystem::trace(const Ray& ray, std::span<const double>
     if (height2 > s.semi_diameter * s.semi_diameter) return std::nullopt;
     const double n_i = n[forward ? s.before : s.after], n_t = n[forward ? s.after : s.before];
     if (n_i == n_t) continue;
+    dvec3 normal = {c * local.x, c * local.y, c * local.z - 1.0};
+    if (s.aspheric) [[unlikely]] {
+      const double slope = 2.0 * s.profile.slope(height2);
+      normal = glm::normalize(dvec3(slope * local.x, slope * local.y, -1.0));
+      cos_i = -sign * glm::dot(normal, d);
+      if (!(cos_i >= 0.0)) return std::nullopt; // it has met the surface from behind
+    }
     const double eta = n_t / n_i;
     const auto cos_t = refracted_cosine(std::min(cos_i, 1.0), eta);
     if (!cos_t) return std::nullopt;
     if (uncoated) transmittance *= 1.0 - fresnel_reflectance(std::min(cos_i, 1.0), *cos_t, eta);
-    const dvec3 normal = {s.curvature * local.x, s.curvature * local.y,
-                          s.curvature * local.z - 1.0};
     d = refracted(d, sign * normal, cos_i, *cos_t, eta);
   }
   return LensRay{{p, d}, transmittance};

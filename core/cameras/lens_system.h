@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bands/index_table.h"
+#include "core/cameras/lens_profile.h"
 #include "core/scene/lens_prescription.h"
 #include "geometry/rays/ray.h"
 
@@ -57,6 +58,8 @@ public:
     double curvature;          ///< 1 / radius
     double semi_diameter;      ///< rays that meet it farther from the axis are stopped
     std::size_t before, after; ///< media; 0 is air
+    bool aspheric;             ///< it is more than its curvature
+    LensProfile profile;       ///< all of its shape
   };
 
   /// Throws std::invalid_argument for a prescription that describes no lens.

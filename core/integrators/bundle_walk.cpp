@@ -2,6 +2,7 @@
 
 #include "core/bands/band_math.h"
 #include "core/optics/fresnel.h"
+#include "core/optics/shading_side.h"
 
 #include <algorithm>
 
@@ -38,7 +39,16 @@ Bundle& BundleWalk::branch_off(BandRange bands, const float* factors, double wei
 
 dvec3 BundleWalk::reflected_direction() const {
   const Hit& hit = bundle().hit;
-  return reflected(bundle().state.ray.direction, hit.entering ? hit.normal : -hit.normal);
+  const dvec3 direction = reflected(bundle().state.ray.direction, hit.facing_shading_normal());
+  return hit.bent() ? kept_on_side(direction, hit.facing_normal(), true) : direction;
+}
+
+double BundleWalk::reflected_adjoint() const {
+  const Hit& hit = bundle().hit;
+  if (transport_ == Transport::radiance || !hit.bent()) return 1.0;
+  const dvec3& from = bundle().state.ray.direction;
+  return adjoint_factor(from, reflected(from, hit.facing_shading_normal()), hit.shading_normal,
+                        hit.normal);
 }
 
 Bundle& BundleWalk::branch_off_reflection(const float* factors, double weight) {
@@ -51,7 +61,9 @@ void BundleWalk::branch_off_refraction(BandRange run, double importance) {
   for (const FanCell& cell :
        fan_.refract(bundle(), run, {importance, band_choice_}, wavelengths_, *counts_))
     go_on_as(cell, bundle(),
-             branch_off(cell.bands, ones_.data(), static_cast<double>(cell.weight)));
+             branch_off(cell.bands, ones_.data(),
+                        static_cast<double>(cell.weight) *
+                            (transport_ == Transport::flux ? cell.adjoint : 1.0)));
 }
 
 /// Radiance, but not flux, is n^2 times that outside in a medium of index n. The index is that of

@@ -53,6 +53,8 @@ protected:
   void branch_off_refraction(BandRange run, double importance);
 
   [[nodiscard]] dvec3 reflected_direction() const;
+  /// The factor on flux that goes along it; 1 for radiance.
+  [[nodiscard]] double reflected_adjoint() const;
 
   /// How much of what they meet in a medium bands bring to the image, when `most` is the largest
   /// throughput among them and `first` the first of them.

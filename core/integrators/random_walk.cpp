@@ -62,7 +62,7 @@ void RandomWalk::go_on(const dvec3& direction, bool through, RayKind kind, doubl
 }
 
 void RandomWalk::reflect(double chance) {
-  scale(scattering_.reflected(), 1.0 / chance);
+  scale(scattering_.reflected(), reflected_adjoint() / chance);
   go_on(reflected_direction(), false, RayKind::reflected, 0.0);
 }
 

@@ -59,7 +59,8 @@ bool ShadowRays::attenuate(RayState state, double distance, BandRange bands,
       const bool refracts = facts.transmits && through_refracting() &&
                             !(facts.rough && plan_.settings.integrator == Integrator::path);
       if (!refracts && !facts.passes) return false;
-      const double cos_i = std::min(1.0, std::abs(glm::dot(hit.normal, state.ray.direction)));
+      const double cos_i =
+          std::min(1.0, std::abs(glm::dot(hit.shading_normal, state.ray.direction)));
       pass(material, hit, cos_i, left, wavelengths);
       if (refracts) through_glass_ = true;
     }

@@ -134,7 +134,7 @@ void Whitted::add_lights(const Bundle& bundle, const MaterialPlan& material, Rad
   const Hit& hit = bundle.hit;
   const BandTable& diffuse = diffuse_at(plan_, world_, material, hit, textured_);
   const dvec3 to_eye = -bundle.state.ray.direction;
-  const dvec3 normal = hit.entering ? hit.normal : -hit.normal;
+  const dvec3 normal = hit.facing_shading_normal();
   const BandSpan<const float> carried = throughput();
   const BandSpan<float> lit{lit_.data(), bundle.bands};
   const bool coated = facts_of(material.bsdf).coats;
@@ -142,6 +142,7 @@ void Whitted::add_lights(const Bundle& bundle, const MaterialPlan& material, Rad
     const Illumination light = illumination(scene_.lights[i], hit.point);
     const double lambert = glm::dot(light.direction, normal);
     if (!(lambert > 0.0) || light.strength == 0.0) continue;
+    if (hit.bent() && !(glm::dot(light.direction, hit.facing_normal()) > 0.0)) continue;
     const RayState towards_light{{hit.point, light.direction}, hit.same_side, hit.nesting_before};
     const float* arriving = shadow_rays_.transmittance(towards_light, light.distance, bundle.bands,
                                                        wavelengths_, counts);
@@ -205,7 +206,7 @@ void Whitted::scatter(const Bundle& bundle, const MaterialPlan& material) {
   if (!facts.reflects && !facts.transmits && !facts.passes) return;
   const Hit& hit = bundle.hit;
   Incidence in = surface_incidence(material.bsdf, hit, bundle.bands, wavelengths_);
-  in.wo = {0.0, 0.0, std::abs(glm::dot(hit.normal, bundle.state.ray.direction))};
+  in.wo = {0.0, 0.0, std::abs(glm::dot(hit.shading_normal, bundle.state.ray.direction))};
   specular_factors(material.bsdf, in, {reflected_.data(), transmitted_.data()});
   if (!followed) return go_on(facts);
   BsdfFacts beyond = facts, within = facts;

@@ -1,6 +1,7 @@
 #include "core/scattering/scattering.h"
 
 #include "core/bands/band_math.h"
+#include "core/optics/shading_side.h"
 #include "core/scattering/surface_incidence.h"
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace abbe {
 
 Scattering::Scattering(const Plan& plan, Transport transport)
     : plan_(plan), transport_(transport), reflected_(plan.stride), transmitted_(plan.stride),
-      facet_light_(plan.stride) {}
+      facet_light_(plan.stride), bent_light_(plan.stride) {}
 
 /// The sum over bands of throughput times a part's factors.
 double Scattering::brought(const float* factors) const {
@@ -35,7 +36,12 @@ void Scattering::prepare(const MaterialPlan& material, const BandTable& diffuse,
   in_.bands = throughput.bands;
   in_.live = throughput.data;
   reflect_ = refract_ = nonspecular_ = facets_ = 0.0;
-  const dvec3 normal = hit.entering ? hit.normal : -hit.normal;
+  const dvec3 normal = hit.facing_shading_normal();
+  bent_ = hit.bent();
+  if (bent_) {
+    true_normal_ = hit.facing_normal();
+    from_ = direction;
+  }
   dvec3 wo{0.0};
   if (material.lit() || facts_.rough) {
     frame_ = Frame(normal);
@@ -138,6 +144,32 @@ Scattering::Choice Scattering::choose_specular(double u) const {
 }
 
 double Scattering::evaluate(const dvec3& towards, float* f_cos) {
+  return bent_ ? evaluate_bent(towards, f_cos) : evaluate_by_shading(towards, f_cos);
+}
+
+/// Directions that are on the wrong side of the true surface have been mirrored at it, so each
+/// direction stands for itself and for its mirror image, as far as these are kept.
+double Scattering::evaluate_bent(const dvec3& towards, float* f_cos) {
+  std::fill(f_cos + in_.bands.first, f_cos + in_.bands.last, 0.0f);
+  const double along = glm::dot(towards, true_normal_);
+  const bool above = along > 0.0;
+  return add_if_kept(towards, above, f_cos) +
+         add_if_kept(towards - 2.0 * along * true_normal_, above, f_cos);
+}
+
+/// Adds what goes to a direction that the shading normal puts on a side. Returns its pdf.
+double Scattering::add_if_kept(const dvec3& towards, bool above, float* f_cos) {
+  if ((glm::dot(towards, frame_.z) > 0.0) != above) return 0.0;
+  const double pdf = evaluate_by_shading(towards, bent_light_.data());
+  if (!(pdf > 0.0)) return 0.0;
+  const auto factor = static_cast<float>(
+      transport_ == Transport::flux ? adjoint_factor(from_, towards, frame_.z, true_normal_) : 1.0);
+  for (int b = in_.bands.first; b < in_.bands.last; ++b)
+    f_cos[b] += factor * bent_light_[static_cast<std::size_t>(b)];
+  return pdf;
+}
+
+double Scattering::evaluate_by_shading(const dvec3& towards, float* f_cos) {
   const double cosine = glm::dot(towards, frame_.z);
   double pdf = 0.0;
   if (cosine > 0.0 && facets_ < 1.0) {
@@ -177,7 +209,8 @@ std::optional<dvec3> Scattering::sample_local(const dvec2& u, const dvec2& lobe)
 std::optional<BsdfSample> Scattering::sample(const dvec2& u, const dvec2& lobe, float* f_cos) {
   const auto local = sample_local(u, lobe);
   if (!local) return std::nullopt;
-  const dvec3 direction = frame_.to_world(*local);
+  dvec3 direction = frame_.to_world(*local);
+  if (bent_) direction = kept_on_side(direction, true_normal_, local->z > 0.0);
   const double pdf = evaluate(direction, f_cos);
   if (!(pdf > 0.0)) return std::nullopt;
   return BsdfSample{direction, pdf};

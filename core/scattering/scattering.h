@@ -93,6 +93,9 @@ private:
   }
   void find_smooth_parts(const Hit& hit, PathWavelengths& wavelengths);
   void find_nonspecular_parts();
+  double evaluate_by_shading(const dvec3& towards, float* f_cos);
+  double evaluate_bent(const dvec3& towards, float* f_cos);
+  double add_if_kept(const dvec3& towards, bool above, float* f_cos);
   [[nodiscard]] bool rough() const;
   [[nodiscard]] double brought(const float* factors) const;
   [[nodiscard]] std::optional<dvec3> sample_local(const dvec2& u, const dvec2& lobe) const;
@@ -104,12 +107,15 @@ private:
   const BandTable* diffuse_ = nullptr;
   Incidence in_;                      ///< its directions are in frame_
   Frame frame_{dvec3(0.0, 0.0, 1.0)}; ///< z: the normal on the side that the ray comes from
+  bool bent_ = false;                 ///< the shading normal is not the true one
+  dvec3 true_normal_{0.0};            ///< of the surface, on the same side; set where it is bent
+  dvec3 from_{0.0};                   ///< the direction of the ray, likewise
   std::vector<float> reflected_, transmitted_;
   /// Chances of the parts; `refract_` is that of a pane's straight ray too.
   double reflect_ = 0.0, refract_ = 0.0, nonspecular_ = 0.0;
   double facets_ = 0.0;  ///< chance of a rough surface's facets, given the nonspecular part
   double lambert_ = 1.0; ///< chance of the diffuse part against the highlight, given neither
-  std::vector<float> facet_light_; ///< scratch
+  std::vector<float> facet_light_, bent_light_; ///< scratch
 };
 
 } // namespace abbe

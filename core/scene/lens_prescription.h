@@ -16,6 +16,9 @@ struct PrescribedSurface {
   double thickness_mm = 0.0; ///< to the next vertex; that of the last surface is not used
   Dispersion medium_after = ConstantIndex{1.0};
   std::optional<double> semi_diameter_mm; ///< of the clear aperture; empty: see LensSystem
+  double conic = 0.0;                     ///< the conic constant; 0: a sphere
+  /// The coefficients of an even asphere, of h^2, h^4 ... in mm^-1, mm^-3 ...
+  std::vector<double> even_terms{};
 };
 
 /// A lens as plain values, in order from the object to the film. There is air before and behind it.

@@ -213,12 +213,41 @@ Mesh::Mesh(const std::vector<dvec3>& vertices, const std::vector<Triangle>& tria
 
 std::size_t Mesh::memory() const {
   return sizeof(Data) + bytes(data_->vertices) + bytes(data_->triangles) +
-         bytes(data_->hierarchy.nodes);
+         bytes(data_->hierarchy.nodes) +
+         (normals_ ? bytes(normals_->normals) + bytes(normals_->of_triangles) : 0);
 }
 
 dvec3 outward_normal(const Mesh& mesh, const dvec3&, int face) {
   const dvec3& a = mesh.corner(face, 0);
   return glm::normalize(glm::cross(mesh.corner(face, 1) - a, mesh.corner(face, 2) - a));
+}
+
+Mesh Mesh::shaded_by(CornerNormals normals) const {
+  if (normals.of_triangles.size() != triangles().size())
+    throw std::invalid_argument("there is not one row of normals for each triangle");
+  Mesh shaded = *this;
+  shaded.normals_ = std::make_shared<const CornerNormals>(std::move(normals));
+  return shaded;
+}
+
+/// The share of each corner is the area of the triangle that the point makes with the others.
+std::optional<dvec3> shading_normal(const Mesh& mesh, const dvec3& point, int face) {
+  const CornerNormals* all = mesh.corner_normals();
+  if (!all) return std::nullopt;
+  const Triangle& own = all->of_triangles[static_cast<std::size_t>(face)];
+  if (own[0] < 0) return std::nullopt;
+  const auto [a, b, c] = mesh.corners(face);
+  const dvec3 across = glm::cross(b - a, c - a);
+  const double u = std::max(0.0, glm::dot(glm::cross(c - b, point - b), across));
+  const double v = std::max(0.0, glm::dot(glm::cross(a - c, point - c), across));
+  const double w = std::max(0.0, glm::dot(glm::cross(b - a, point - a), across));
+  const auto normal = [&](std::size_t i) {
+    return dvec3(all->normals[static_cast<std::size_t>(own[i])]);
+  };
+  const dvec3 sum = u * normal(0) + v * normal(1) + w * normal(2);
+  const double outwards = glm::dot(sum, across), length = glm::length(sum);
+  if (!(outwards != 0.0 && std::isfinite(1.0 / length))) return std::nullopt;
+  return sum / (outwards > 0.0 ? length : -length);
 }
 
 dvec3 snapped(const Mesh& mesh, const dvec3& point, int face) {

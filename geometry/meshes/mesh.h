@@ -5,12 +5,21 @@
 #include "geometry/rays/local_ray.h"
 #include "geometry/rays/transform.h"
 
+#include <glm/vec3.hpp>
+
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace abbe {
+
+/// Normals at the corners of triangles, by which a mesh is shaded smoothly.
+struct CornerNormals {
+  std::vector<glm::vec3> normals;     ///< unit
+  std::vector<Triangle> of_triangles; ///< indices into `normals`; -1: as flat as it is
+};
 
 /// A surface of triangles; face i is triangle i. Where each edge joins two triangles of one sense
 /// it is closed, and a solid. Copies share their vertices, triangles and hierarchy.
@@ -33,6 +42,11 @@ public:
   [[nodiscard]] std::array<dvec3, 3> corners(int triangle) const {
     return {corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)};
   }
+  /// The same mesh, shaded by normals at its corners, which it shares with copies. There is one
+  /// row of them for each triangle.
+  [[nodiscard]] Mesh shaded_by(CornerNormals normals) const;
+  /// Null for a mesh that is as flat as its triangles.
+  [[nodiscard]] const CornerNormals* corner_normals() const { return normals_.get(); }
   /// The sum of the triangles' areas, in the mesh's frame.
   [[nodiscard]] double area() const { return data_->area; }
   /// The largest magnitude of a coordinate.
@@ -49,6 +63,7 @@ private:
     bool closed = false;
   };
   std::shared_ptr<const Data> data_;
+  std::shared_ptr<const CornerNormals> normals_;
 };
 
 /// Where a line crosses a mesh; of an open one, against its normal is entering.
@@ -73,6 +88,9 @@ enum class MeshSearch : std::uint8_t {
                                             MeshSearch search);
 
 [[nodiscard]] dvec3 outward_normal(const Mesh& mesh, const dvec3& point, int face);
+/// The normals of the triangle's corners, interpolated, on the outer side of the triangle. Unit;
+/// nothing where the triangle is flat.
+[[nodiscard]] std::optional<dvec3> shading_normal(const Mesh& mesh, const dvec3& point, int face);
 [[nodiscard]] dvec3 snapped(const Mesh& mesh, const dvec3& point, int face);
 /// The nearest triangle through which a ray from the point can leave, or with `entering` get in.
 [[nodiscard]] int nearest_face(const Mesh& mesh, const LocalRay& ray, bool entering);

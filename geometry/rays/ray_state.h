@@ -37,15 +37,26 @@ struct Hit {
 
   [[nodiscard]] bool met() const { return shape.valid(); }
 
-  double t = 0.0;       ///< distance from the ray's origin
-  dvec3 point{0.0};     ///< on the surface
-  dvec3 normal{0.0};    ///< unit, outwards from the shape
+  double t = 0.0;    ///< distance from the ray's origin
+  dvec3 point{0.0};  ///< on the surface
+  dvec3 normal{0.0}; ///< unit, outwards from the shape
+  /// What light is reflected and refracted by: `normal`, but on a mesh with normals of its own,
+  /// where the ray runs through both in the same sense.
+  dvec3 shading_normal{0.0};
   ShapeId shape;        ///< the shape that shows
   FaceId face;          ///< the part of the shape that shows
-  bool entering = true; ///< the ray runs against `normal`
+  bool entering = true; ///< the ray runs against `normal` and `shading_normal`
   bool moved = true;    ///< false: rounding cannot tell the point from the ray's origin
   MaterialId material;  ///< the material of that part
   MediumId medium_before, medium_after;
+  /// True where the surface is shaded by another normal than its own.
+  [[nodiscard]] bool bent() const { return shading_normal != normal; }
+  /// The two normals, against the ray.
+  [[nodiscard]] dvec3 facing_normal() const { return entering ? normal : -normal; }
+  [[nodiscard]] dvec3 facing_shading_normal() const {
+    return entering ? shading_normal : -shading_normal;
+  }
+
   // A ray that leaves on the side it came from takes same_side and nesting_before (not the nesting
   // it came with: it may have passed boundaries that do not show); one that goes through takes
   // other_side and nesting_after.

@@ -35,6 +35,19 @@ void place(const ShapeTable& shapes, const ShapeTable::Row& row, const dvec3& ne
       row.placed->shape);
 }
 
+/// Where a ray would run through the surface in one sense by the shading normal and in the other by
+/// the true one, as close to a silhouette, the surface is as flat as it is.
+[[gnu::noinline]] dvec3 smooth_normal(const ShapeTable::Row& row, const dvec3& direction,
+                                      const Hit& hit) {
+  const auto& mesh = *std::get_if<Mesh>(&row.placed->shape);
+  const auto local = shading_normal(mesh, row.from_world.inverse_point(hit.point), hit.face.face);
+  if (!local) return hit.normal;
+  const dvec3 normal = row.to_world.normal(*local);
+  const bool same =
+      (glm::dot(normal, direction) < 0.0) == hit.entering && glm::dot(normal, direction) != 0.0;
+  return same ? normal : hit.normal;
+}
+
 void enter_or_leave(Nesting& nesting, ShapeId shape, bool entering) {
   const auto* found = std::find(nesting.begin(), nesting.end(), shape);
   if (!entering && found != nesting.end())
@@ -119,6 +132,7 @@ bool resolve(const ShapeTable& shapes, const RayState& state, const Coincident& 
   hit.entering = seen.crossing.entering;
   hit.material = material_of(row, hit.face);
   place(shapes, row, state.ray.at(hit.t), hit);
+  hit.shading_normal = row.smooth ? smooth_normal(row, state.ray.direction, hit) : hit.normal;
 
   hit.same_side.clear();
   hit.other_side.clear();

@@ -11,6 +11,11 @@ bool is_solid(const Shape& shape) {
   return std::visit([]<class S>(const S&) { return !FlatShape<S>; }, shape);
 }
 
+bool is_smooth(const Shape& shape) {
+  const auto* mesh = std::get_if<Mesh>(&shape);
+  return mesh && mesh->corner_normals();
+}
+
 bool is_bounded(const Shape& shape) {
   return !std::holds_alternative<Plane>(shape);
 }

@@ -29,6 +29,8 @@ struct PlacedShape {
 
 /// True when the shape has an inside.
 [[nodiscard]] bool is_solid(const Shape& shape);
+/// True for a mesh that is shaded by normals at its corners.
+[[nodiscard]] bool is_smooth(const Shape& shape);
 /// False for a shape without end, whose bounds say nothing.
 [[nodiscard]] bool is_bounded(const Shape& shape);
 /// True when the world point lies inside the solid.

@@ -15,7 +15,8 @@ public:
     explicit Row(const PlacedShape& shape)
         : from_world(shape.to_world), to_world(shape.to_world), placed(&shape),
           material(shape.material), medium(shape.medium), priority(shape.priority),
-          gives_way(shape.gives_way), solid(is_solid(shape.shape)), tree(std::holds_alternative<CsgTree>(shape.shape)) {}
+          gives_way(shape.gives_way), solid(is_solid(shape.shape)),
+          tree(std::holds_alternative<CsgTree>(shape.shape)), smooth(is_smooth(shape.shape)) {}
 
     Frame from_world;
     Placement to_world;
@@ -25,6 +26,7 @@ public:
     int priority;
     std::int32_t first_normal = -1; ///< in `normals_`; negative: its faces are not all plane
     bool gives_way, solid, tree;
+    bool smooth; ///< it has shading normals of its own
   };
 
   ShapeTable() = default;

@@ -7,6 +7,7 @@
 #include "io/libraries/read_library.h"
 #include "io/libraries/read_lights.h"
 #include "io/libraries/read_materials.h"
+#include "io/libraries/read_spectrum.h"
 #include "io/libraries/standard_lights.h"
 #include "io/text/similar_names.h"
 #include "spectral/band_grid.h"
@@ -38,6 +39,9 @@ public:
                                 name_, file->string()));
         return curve(entry.name + ": light per nm, 1 = equal energy", spectrum(entry));
       }
+    if (is_spectrum_file(name_))
+      return curve(name_ + ": light per nm, with Y = 1",
+                   read_lamp({TokenKind::word, name_, {"--plot", 1, 1}}, say_warning));
     for (std::string& name : standard_light_names())
       known_.push_back(std::move(name));
     if (const auto lamp = standard_light({TokenKind::word, name_, {"--plot", 1, 1}}))

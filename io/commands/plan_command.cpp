@@ -6,12 +6,13 @@
 namespace abbe {
 
 void add_options(CLI::App& app, PlanCommand& command) {
-  add_scene(app, command.scene_path);
+  add_scene(app, command.scene_path, command.strictness);
   add_settings(app, command.settings);
 }
 
 int run(const PlanCommand& command) {
-  SceneRequest request = read_request(command.scene_path, command.settings, nullptr);
+  SceneRequest request =
+      read_request(command.scene_path, command.settings, nullptr, command.strictness);
   tell_plan(plan_of(request, request.settings));
   return 0;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/pbrt/strictness.h"
 #include "io/settings/setting_text.h"
 
 #include <filesystem>
@@ -16,6 +17,7 @@ struct PlanCommand {
   static constexpr const char* kHelp = "Tell what a scene needs and what is left out";
 
   std::filesystem::path scene_path;
+  Strictness strictness = Strictness::strict;
   SettingsOverride settings;
 };
 void add_options(CLI::App& app, PlanCommand& command);

@@ -90,7 +90,7 @@ int write_partial(const Rendering& rendering, const Plan& plan, const Outputs& o
 } // namespace
 
 void add_options(CLI::App& app, RenderCommand& command) {
-  add_scene(app, command.scene_path);
+  add_scene(app, command.scene_path, command.strictness);
   app.get_option("scene")->required(false);
   app.callback([&command] {
     if (command.scene_path.empty() && !command.states.resume) throw CLI::RequiredError("scene");
@@ -124,7 +124,8 @@ Request read_request(const RenderCommand& command) {
   const StateReader* resumed = request.resumed ? &*request.resumed : nullptr;
   request.part = part_of(states, resumed);
   request.scene_path = command.scene_path.empty() ? resumed->info().scene : command.scene_path;
-  request.scene = read_request(request.scene_path, command.settings, &request.inputs);
+  request.scene =
+      read_request(request.scene_path, command.settings, &request.inputs, command.strictness);
   if (!resumed) return request;
   check_origin(*states.resume, resumed->info(), request.inputs);
   request.scene.settings =

@@ -2,6 +2,7 @@
 
 #include "io/commands/state_options.h"
 #include "io/images/write_image.h"
+#include "io/pbrt/strictness.h"
 #include "io/settings/setting_text.h"
 
 #include <filesystem>
@@ -21,6 +22,7 @@ struct RenderCommand {
   static constexpr const char* kHelp = "Render a scene";
 
   std::filesystem::path scene_path; ///< may be empty where a state tells it
+  Strictness strictness = Strictness::strict;
   SettingsOverride settings;
   DisplayOverride display;
   OutputOptions output;

@@ -12,9 +12,9 @@
 namespace abbe {
 
 SceneRequest read_request(const std::filesystem::path& scene_path, const SettingsOverride& settings,
-                          InputFiles* inputs) {
+                          InputFiles* inputs, Strictness strictness) {
   GivenKeywords given;
-  Scene scene = read_scene_file(scene_path, say_warning, inputs, &given);
+  Scene scene = read_scene_file(scene_path, say_warning, inputs, &given, strictness);
   const RenderSettings asked = overridden(scene.settings, settings);
   check_caustics(given, asked);
   warn_of_settings(scene, given, settings, say_warning);

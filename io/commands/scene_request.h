@@ -2,6 +2,7 @@
 
 #include "core/plan/plan.h"
 #include "core/scene/scene.h"
+#include "io/pbrt/strictness.h"
 #include "io/scene_language/input_files.h"
 #include "io/settings/setting_text.h"
 
@@ -26,7 +27,8 @@ struct SceneRequest {
 /// Reads and checks it, and tells all warnings on standard error. All files that are read are added
 /// to `inputs`, unless it is null.
 [[nodiscard]] SceneRequest read_request(const std::filesystem::path& scene_path,
-                                        const SettingsOverride& settings, InputFiles* inputs);
+                                        const SettingsOverride& settings, InputFiles* inputs,
+                                        Strictness strictness = Strictness::strict);
 
 /// Tells the plan's notes on standard output.
 void tell_plan(const Plan& plan);

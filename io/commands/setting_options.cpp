@@ -89,10 +89,13 @@ void add_choice(CLI::App& app, const std::string& name, T& target,
 
 } // namespace
 
-void add_scene(CLI::App& app, std::filesystem::path& scene) {
+void add_scene(CLI::App& app, std::filesystem::path& scene, Strictness& strictness) {
   app.add_option("scene", scene, "Scene file (" + known_scene_extensions() + ")")
       ->required()
       ->type_name("SCENE");
+  app.add_flag_callback(
+      "--lenient", [&strictness] { strictness = Strictness::lenient; },
+      "Warn of what is not understood of another program's scene, and leave it out");
 }
 
 void add_settings(CLI::App& app, SettingsOverride& given) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/images/write_image.h"
+#include "io/pbrt/strictness.h"
 #include "io/settings/setting_text.h"
 
 #include <filesystem>
@@ -15,8 +16,8 @@ class Option;
 // Options that several commands have.
 namespace abbe {
 
-/// The scene, which must be given.
-void add_scene(CLI::App& app, std::filesystem::path& scene);
+/// The scene, which must be given, and how strictly it is read.
+void add_scene(CLI::App& app, std::filesystem::path& scene, Strictness& strictness);
 
 /// An option for each setting of rendering that has one.
 void add_settings(CLI::App& app, SettingsOverride& given);

@@ -6,16 +6,17 @@
 //   stop                                     ! the surface that follows is the aperture stop
 //   surface  33.34   9     N-BAF10      12.7 ! radius, thickness, medium behind, semi-diameter
 //   surface -22.28   2.5   1.72825 28.41 12.7 ! or n_d and V_d
-//   surface -291.07  43.4  air          12.7
+//   surface -291.07  43.4  air          12.7 conic -0.7 even 4 1.1e-5    ! an asphere
 
 #include "io/libraries/read_lens_prescription.h"
 
 #include "core/cameras/lens_system.h"
-#include "geometry/booleans/lens.h"
 #include "io/libraries/read_dispersion.h"
 #include "io/libraries/read_glass.h"
+#include "io/libraries/read_lens_tables.h"
 #include "io/text/similar_names.h"
 #include "spectral/band_grid.h"
+#include "spectral/data_table.h"
 
 #include <fmt/format.h>
 
@@ -74,6 +75,37 @@ Dispersion read_medium(LensFile& file, Arguments& arguments) {
   return glass.dispersion;
 }
 
+/// `conic k` and `even 4 a4 6 a6 ...`, in any order, as far as they follow. Coefficients are those
+/// of powers of the height in the unit of the file.
+void read_asphere(const LensFile& file, Arguments& arguments, PrescribedSurface& surface) {
+  TokenReader& reader = arguments.reader();
+  for (;;) {
+    const Token token = reader.peek();
+    if (is_word(token, "conic")) {
+      reader.next();
+      surface.conic = arguments.number({"a conic constant", -1e6, 1e6});
+    } else if (is_word(token, "even")) {
+      reader.next();
+      do {
+        const SourcePosition at = reader.peek().where;
+        const auto power = arguments.whole_number({"a power of the height", 2.0, 20.0});
+        if (power % 2 != 0)
+          throw ReadError(at, fmt::format("{} is an odd power", power),
+                          "an even asphere has the powers 2, 4, 6 ... 20", "Give an even power");
+        const auto place = static_cast<std::size_t>(power / 2 - 1);
+        if (surface.even_terms.size() <= place) surface.even_terms.resize(place + 1);
+        surface.even_terms[place] =
+            arguments.number() * std::pow(file.mm_per_unit, 1.0 - static_cast<double>(power));
+      } while (arguments.number_follows());
+    } else {
+      break;
+    }
+  }
+  if ((surface.conic != 0.0 || !surface.even_terms.empty()) && !surface.semi_diameter_mm)
+    throw ReadError(arguments.keyword().where, "an aspheric surface has no semi-diameter",
+                    "its polynomial means something inside of one only", "Add the semi-diameter");
+}
+
 void read_surface(LensFile& file, Arguments& arguments) {
   PrescribedSurface surface;
   if (is_word(arguments.reader().peek(), "inf"))
@@ -85,8 +117,10 @@ void read_surface(LensFile& file, Arguments& arguments) {
   if (arguments.number_follows())
     surface.semi_diameter_mm =
         file.mm_per_unit * arguments.number({.meaning = "half of a diameter", .open = true});
-  if (const auto& height = surface.semi_diameter_mm;
-      height && surface.radius_mm != 0.0 && *height > std::abs(surface.radius_mm))
+  read_asphere(file, arguments, surface);
+  if (const auto& height = surface.semi_diameter_mm; height && surface.conic == 0.0 &&
+                                                     surface.radius_mm != 0.0 &&
+                                                     *height > std::abs(surface.radius_mm))
     throw ReadError(arguments.keyword().where, "the semi-diameter is larger than the radius",
                     "a ball has no surface so far from the axis", "Check both numbers");
   file.lens.surfaces.push_back(std::move(surface));
@@ -111,7 +145,8 @@ constexpr std::array kKeywords{
                       arguments.number({"half of the angle of view, in degrees", 0.0, 80.0});
                 }},
     LensKeyword{"stop", read_stop},
-    LensKeyword{"surface radius thickness MEDIUM [semiDiameter]", read_surface},
+    LensKeyword{"surface radius thickness MEDIUM [semiDiameter] [conic k] [even power a ...]",
+                read_surface},
 };
 
 std::string_view name_of(const LensKeyword& keyword) {
@@ -137,6 +172,11 @@ bool is_diaphragm(const LensFile& file, std::size_t i) {
   return before == surfaces[i].medium_after;
 }
 
+LensProfile profile(const PrescribedSurface& surface) {
+  return {surface.radius_mm == 0.0 ? 0.0 : 1.0 / surface.radius_mm, surface.conic,
+          surface.even_terms};
+}
+
 /// Neighbours must not meet where both of them are.
 void check_crossings(const LensFile& file) {
   const auto& surfaces = file.lens.surfaces;
@@ -145,13 +185,27 @@ void check_crossings(const LensFile& file) {
     if (!front.semi_diameter_mm || !back.semi_diameter_mm) continue;
     if (is_diaphragm(file, i) || is_diaphragm(file, i + 1)) continue;
     const double height = std::min(*front.semi_diameter_mm, *back.semi_diameter_mm);
-    const double gap =
-        front.thickness_mm + sag(back.radius_mm, height) - sag(front.radius_mm, height);
+    const double gap = front.thickness_mm + profile(back).sag(height) - profile(front).sag(height);
     if (gap >= 0.0) continue;
-    throw ReadError(
-        file.surfaces_at[i + 1], "this surface crosses the one before it",
-        fmt::format("at {:g} mm from the axis it lies {:.3g} mm before it", height, -gap),
-        "Check the signs of the radii, the thickness and the semi-diameters");
+    const std::string what = "this surface crosses the one before it";
+    const std::string why =
+        fmt::format("at {:g} mm from the axis it lies {:.3g} mm before it", height, -gap);
+    // Published aspheres bend back beyond the beam that they were made for.
+    if (profile(front).spherical() && profile(back).spherical())
+      throw ReadError(file.surfaces_at[i + 1], what, why,
+                      "Check the signs of the radii, the thickness and the semi-diameters");
+    if (file.warn)
+      file.warn(fmt::format("{}: {} ({}). Rays that meet them there are stopped",
+                            to_string(file.surfaces_at[i + 1]), what, why));
+  }
+}
+
+void require_lens(const LensPrescription& lens, const std::filesystem::path& path) {
+  try {
+    (void)LensSystem(lens);
+  } catch (const std::invalid_argument& error) {
+    throw ReadError(path, "these data describe no camera lens", error.what(),
+                    "Check the signs of the radii, the media, the stop and the f-number");
   }
 }
 
@@ -166,12 +220,7 @@ void check(const LensFile& file, const std::filesystem::path& path) {
     throw ReadError(*file.stop_at, "no surface follows stop", "it marks the surface behind it",
                     "Write stop before the surface that is the aperture stop");
   check_crossings(file);
-  try {
-    (void)LensSystem(file.lens);
-  } catch (const std::invalid_argument& error) {
-    throw ReadError(path, "these data describe no camera lens", error.what(),
-                    "Check the signs of the radii, the media, the stop and the f-number");
-  }
+  require_lens(file.lens, path);
 }
 
 } // namespace
@@ -199,7 +248,12 @@ LensPrescription read_lens_prescription_text(std::string_view text,
 }
 
 LensPrescription read_lens_prescription(const std::filesystem::path& file, const Warn& warn) {
-  return read_lens_prescription_text(read_text_file(file), file, warn);
+  const std::string text = read_text_file(file), extension = file.extension().string();
+  const bool zemax = same_name(extension, ".zmx");
+  if (!zemax && !same_name(extension, ".dat")) return read_lens_prescription_text(text, file, warn);
+  LensPrescription lens = zemax ? read_zmx_text(text, file) : read_dat_text(text, file);
+  require_lens(lens, file);
+  return lens;
 }
 
 } // namespace abbe

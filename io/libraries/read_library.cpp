@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace abbe {
@@ -37,7 +38,7 @@ void expect_open_brace(TokenReader& reader, const LibraryWords& words) {
 }
 
 /// Samples beyond the last: zeros are harmless, anything else shows that the list is not ours.
-void skip_surplus(Arguments& arguments, const Warn& warn) {
+void skip_surplus(Arguments& arguments, int count, const Warn& warn) {
   const SourcePosition first = arguments.reader().peek().where;
   int surplus = 0;
   for (; arguments.number_follows(); ++surplus) {
@@ -46,41 +47,48 @@ void skip_surplus(Arguments& arguments, const Warn& warn) {
       throw ReadError(
           token.where,
           fmt::format("{} is one of too many values for {}", token.text, arguments.name()),
-          fmt::format("{} samples at 380, 385 ... 780 nm are read; only zeros may follow",
-                      kSampleCount),
+          fmt::format("{} values from 380 to 780 nm are read; only zeros may follow", count),
           "Remove it, or look for one given twice");
   }
   if (surplus > 0 && warn)
     warn(fmt::format("{}: {} zeros after the {} values of {} are left out (they lie beyond 780 nm)",
-                     to_string(first), surplus, kSampleCount, arguments.name()));
+                     to_string(first), surplus, count, arguments.name()));
 }
 
 } // namespace
 
-Curve read_samples81(Arguments& arguments, const Warn& warn) {
-  const Token count = arguments.reader().peek();
-  if (arguments.whole_number({"the number of values"}) != kSampleCount)
-    throw ReadError(count.where,
-                    fmt::format("{} values are announced for {}", count.text, arguments.name()),
-                    "libraries hold samples at 380, 385 ... 780 nm",
-                    fmt::format("Give {} values", kSampleCount));
+Curve read_samples(Arguments& arguments, const Warn& warn) {
+  const Token at = arguments.reader().peek();
+  const auto count = static_cast<int>(arguments.whole_number({"the number of values"}));
+  constexpr std::array kCounts{41, kSampleCount, 201, 401};
+  if (std::ranges::find(kCounts, count) == kCounts.end())
+    throw ReadError(at.where,
+                    fmt::format("{} values are announced for {}", at.text, arguments.name()),
+                    "libraries hold values from 380 to 780 nm, in steps of 10, 5, 2 or 1 nm",
+                    fmt::format("Give {} values, or 41, 201 or 401", kSampleCount));
+  const double step = 400.0 / (count - 1);
   std::vector<double> values;
-  while (static_cast<int>(values.size()) < kSampleCount) {
+  while (static_cast<int>(values.size()) < count) {
     const Token& token = arguments.reader().peek();
-    const std::string place = fmt::format("value {} of {}", values.size() + 1, kSampleCount);
+    const std::string place = fmt::format("value {} of {}", values.size() + 1, count);
+    const std::string grid = fmt::format("at 380, {:g} ... 780 nm", 380.0 + step);
     if (token.kind != TokenKind::word)
       throw ReadError(token.where,
                       fmt::format("{} has only {} values", arguments.name(), values.size()),
                       fmt::format("{} stands where {} should", shown(token), place),
-                      fmt::format("Give {} values, at 380, 385 ... 780 nm", kSampleCount));
+                      fmt::format("Give {} values, {}", count, grid));
     if (!arguments.number_follows())
       throw ReadError(token.where, shown(token) + " is not a number",
                       "it stands where " + place + " should",
-                      fmt::format("Give {} numbers for {}", kSampleCount, arguments.name()));
+                      fmt::format("Give {} numbers for {}", count, arguments.name()));
     values.push_back(arguments.number({"a share of light, never negative", 0.0, kMostLight}));
   }
-  skip_surplus(arguments, warn);
-  return Curve::samples81(std::move(values));
+  skip_surplus(arguments, count, warn);
+  if (count == kSampleCount) return Curve::samples81(std::move(values));
+  std::vector<double> nm;
+  for (int i = 0; i < count; ++i)
+    nm.push_back(380.0 + step * i);
+  return Curve::table(std::move(nm), std::move(values));
 }
 
 std::optional<Token> read_entry_head(TokenReader& reader, const LibraryWords& words) {

@@ -27,9 +27,10 @@ struct LibraryWords {
   std::string_view end;
 };
 
-/// Reads 81 and the samples that follow, at 380, 385 ... 780 nm. Samples after them are left out
-/// with a warning when they are 0, beyond 780 nm; others are an error.
-[[nodiscard]] Curve read_samples81(Arguments& arguments, const Warn& warn);
+/// Reads 81 and the samples that follow, at 380, 385 ... 780 nm; or 41, 201 or 401 and values in
+/// steps of 10, 2 or 1 nm, linear between them. Values after them are left out with a warning when
+/// they are 0, beyond 780 nm; others are an error.
+[[nodiscard]] Curve read_samples(Arguments& arguments, const Warn& warn);
 
 /// Reads "begin NAME {" and returns the name; empty at the end of the file. `end` words before it
 /// are passed over.

@@ -25,9 +25,9 @@ constexpr std::array<LibraryKey<LightSpectrum>, 2> kKeys{{
      [](LightSpectrum& light, Arguments& arguments, const Warn&) {
        light.intensity = arguments.number({"a factor on the colour", 0.0, kMostLight});
      }},
-    {"colour 81 v380 v385 ... v780",
+    {"colour 41|81|201|401 v380 ... v780",
      [](LightSpectrum& light, Arguments& arguments, const Warn& warn) {
-       light.colour = read_samples81(arguments, warn);
+       light.colour = read_samples(arguments, warn);
      },
      true},
 }};

@@ -76,9 +76,9 @@ constexpr std::array<LibraryKey<LibraryMaterial>, 23> kKeys{{
                           const Warn&) { entry.speed_of_light = arguments.number(kIndexRange); }},
     {"Vnum v", [](LibraryMaterial& entry, Arguments& arguments,
                   const Warn&) { entry.v_number = arguments.number(kVNumberRange); }},
-    {"freqBreakdown 81 v380 v385 ... v780",
+    {"freqBreakdown 41|81|201|401 v380 ... v780",
      [](LibraryMaterial& entry, Arguments& arguments, const Warn& warn) {
-       entry.colour = read_samples81(arguments, warn);
+       entry.colour = read_samples(arguments, warn).sampled81();
      }},
     {"glass NAME",
      [](LibraryMaterial& entry, Arguments& arguments, const Warn&) {

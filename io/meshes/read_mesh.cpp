@@ -5,6 +5,7 @@
 #include "io/meshes/read_mesh.h"
 
 #include "io/files/regular_file.h"
+#include "io/meshes/match_normals.h"
 #include "io/meshes/polygons.h"
 #include "io/meshes/read_obj.h"
 #include "io/meshes/read_ply.h"
@@ -79,7 +80,9 @@ std::optional<MeshFormat> mesh_format(const fs::path& file) {
 MendedMesh mesh_of(std::string_view bytes, const fs::path& file, MeshFormat format,
                    const Warn& warn) {
   const Polygons polygons = polygons_of(bytes, file, format, warn);
-  MendedMesh mended = close_mesh({polygons.vertices, triangles_of(polygons, file, warn)});
+  const CutPolygons cut = triangles_of(polygons, file, warn);
+  MendedMesh mended = close_mesh({polygons.vertices, cut.triangles});
+  mended.mesh = with_normals(mended.mesh, polygons, cut);
   if (const std::string list = changes(mended); !list.empty())
     warn(fmt::format("{}: the mesh has been mended, so that it bounds a solid: {}", file.string(),
                      list));

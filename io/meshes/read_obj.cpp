@@ -24,12 +24,12 @@ namespace abbe {
 namespace {
 
 /// Statements that say nothing of where a surface is.
-constexpr std::array<std::string_view, 38> kLeftOut{
-    "vt",        "vn",     "vp",     "g",     "o",     "s",        "mg",       "usemtl",
-    "mtllib",    "usemap", "maplib", "lod",   "bevel", "c_interp", "d_interp", "shadow_obj",
-    "trace_obj", "cstype", "deg",    "bmat",  "step",  "ctech",    "stech",    "parm",
-    "trim",      "hole",   "scrv",   "sp",    "end",   "con",      "call",     "csh",
-    "p",         "l",      "curv",   "curv2", "vc",    "",
+constexpr std::array<std::string_view, 37> kLeftOut{
+    "vt",     "vp",     "g",     "o",     "s",        "mg",       "usemtl",     "mtllib",
+    "usemap", "maplib", "lod",   "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj",
+    "cstype", "deg",    "bmat",  "step",  "ctech",    "stech",    "parm",       "trim",
+    "hole",   "scrv",   "sp",    "end",   "con",      "call",     "csh",        "p",
+    "l",      "curv",   "curv2", "vc",    "",
 };
 
 class ObjReader {
@@ -43,12 +43,16 @@ public:
       const std::string_view keyword = text_.word();
       if (keyword == "v")
         read_vertex();
+      else if (keyword == "vn")
+        read_normal();
       else if (keyword == "f" || keyword == "fo")
         read_face();
       else if (std::ranges::find(kLeftOut, keyword) == kLeftOut.end() && left_out_++ == 0)
         first_left_out_ = place;
     } while (text_.next_line());
     require_vertices();
+    if (polygons_.normals.empty()) polygons_.corner_normals.clear();
+    if (polygons_.corner_normals.empty()) polygons_.normals.clear(); // no corner names one
     if (left_out_ > 0)
       warn_(fmt::format("{}: {} is left out (it is no statement that makes a mesh){}",
                         to_string(text_.position(first_left_out_)),
@@ -69,6 +73,13 @@ private:
       throw ReadError(text_.file(), "it holds more than 2147483647 vertices",
                       "a mesh can hold no more", "Cut it into several files");
     polygons_.vertices.push_back(p);
+  }
+
+  void read_normal() {
+    glm::vec3 n;
+    for (int i = 0; i < 3; ++i)
+      n[i] = text_.single_number("a component of a normal");
+    polygons_.normals.push_back(n);
   }
 
   void read_face() {
@@ -92,22 +103,52 @@ private:
       farthest_ = number;
       farthest_place_ = place;
     }
-    skip_texture_and_normal(place);
+    const std::int32_t normal = read_texture_and_normal(place);
+    if (normal >= 0) polygons_.corner_normals.resize(polygons_.corners.size(), -1);
+    if (normal >= 0 || !polygons_.corner_normals.empty())
+      polygons_.corner_normals.push_back(normal);
     return static_cast<std::int32_t>(number > 0 ? number - 1 : known + number);
   }
 
-  void skip_texture_and_normal(std::size_t place) {
+  /// Returns the number of the normal, which counts from 0; -1: none.
+  std::int32_t read_texture_and_normal(std::size_t place) {
     const auto number_follows = [&] { return !text_.word_ends() && !text_.stands('/'); };
     if (text_.take('/') && number_follows()) text_.leading_whole_number("the number of a vertex");
-    if (text_.take('/')) text_.leading_whole_number("the number of a normal");
+    std::int32_t normal = -1;
+    if (text_.take('/')) normal = read_normal_number(place);
     if (!text_.word_ends())
       throw text_.error(place, fmt::format("{} is no corner", text_.shown_word(place)),
                         "corners are v, v/vt, v//vn or v/vt/vn", "Write the mesh again");
+    return normal;
+  }
+
+  std::int32_t read_normal_number(std::size_t place) {
+    const std::int64_t number = text_.leading_whole_number("the number of a normal");
+    const auto known = static_cast<std::int64_t>(polygons_.normals.size());
+    if (number == 0 || number < -known || number > std::numeric_limits<std::int32_t>::max()) {
+      if (known == 0) return -1; // programs that leave normals out may go on naming them
+      fail_normal(place);
+    }
+    if (number > farthest_normal_) {
+      farthest_normal_ = number;
+      farthest_normal_place_ = place;
+    }
+    return static_cast<std::int32_t>(number > 0 ? number - 1 : known + number);
   }
 
   void require_vertices() const {
     if (farthest_ > static_cast<std::int64_t>(polygons_.vertices.size()))
       fail_vertex(farthest_place_);
+    if (!polygons_.normals.empty() &&
+        farthest_normal_ > static_cast<std::int64_t>(polygons_.normals.size()))
+      fail_normal(farthest_normal_place_);
+  }
+
+  [[noreturn]] void fail_normal(std::size_t place) const {
+    throw text_.error(place, fmt::format("{} names no normal", text_.shown_word(place)),
+                      fmt::format("there are {} normals up to here, and they count from 1",
+                                  polygons_.normals.size()),
+                      "Write the mesh again");
   }
 
   [[noreturn]] void fail_vertex(std::size_t place) const {
@@ -122,6 +163,8 @@ private:
   Polygons polygons_;
   std::int64_t farthest_ = 0; ///< the highest number of a vertex that a face has named
   std::size_t farthest_place_ = 0;
+  std::int64_t farthest_normal_ = 0; ///< the same of normals
+  std::size_t farthest_normal_place_ = 0;
   std::size_t left_out_ = 0, first_left_out_ = 0;
 };
 

@@ -46,6 +46,16 @@ bool is_list_of_vertices(const PlyProperty& property) {
   return property.length && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
+/// nx, ny or nz.
+bool is_normal(const PlyProperty& property) {
+  return property.name.size() == 2 && property.name[0] == 'n' && property.name[1] >= 'x' &&
+         property.name[1] <= 'z';
+}
+
+bool has_normals(const PlyElement& element) {
+  return std::ranges::count_if(element.properties, is_normal) == 3;
+}
+
 /// Throws unless there is one element of vertices with coordinates, and faces and strips have lists
 /// of them. Returns how many vertices there are.
 std::int64_t require_elements(const PlyHeader& header, const std::filesystem::path& file) {
@@ -130,16 +140,20 @@ private:
 
   void read_row(const PlyElement& element, Kind kind) {
     glm::dvec3 p(0.0);
+    glm::vec3 n(0.0f);
     for (const PlyProperty& property : element.properties) {
       if (kind == Kind::vertex && !property.length && property.name.size() == 1 &&
           property.name[0] >= 'x' && property.name[0] <= 'z')
         p[property.name[0] - 'x'] = coordinate(property.type);
+      else if (kind == Kind::vertex && !property.length && is_normal(property))
+        n[property.name[1] - 'x'] = static_cast<float>(values_.value(property.type));
       else if ((kind == Kind::face || kind == Kind::strips) && is_list_of_vertices(property))
         read_corners(property, kind == Kind::strips);
       else
         values_.skip(property.type, property.length ? length(property) : 1);
     }
     if (kind == Kind::vertex) polygons_.vertices.push_back(p);
+    if (kind == Kind::vertex && has_normals(element)) polygons_.normals.push_back(n);
   }
 
   double coordinate(PlyType type) {

@@ -1,5 +1,6 @@
 #include "io/scene_files/read_scene_file.h"
 
+#include "io/pbrt/read_pbrt.h"
 #include "io/scene_language/read_scene.h"
 #include "spectral/data_table.h"
 
@@ -15,11 +16,22 @@ namespace {
 /// One row of the table of readers.
 struct SceneFormat {
   std::string_view extension; ///< lower case, with its dot
-  Scene (*read)(const std::filesystem::path&, const Warn&, InputFiles*, GivenKeywords*);
+  Scene (*read)(const std::filesystem::path&, const Warn&, InputFiles*, GivenKeywords*, Strictness);
 };
 
+Scene read_sdl(const std::filesystem::path& file, const Warn& warn, InputFiles* files,
+               GivenKeywords* given, Strictness) {
+  return read_scene(file, warn, files, given);
+}
+
+Scene read_pbrt_scene(const std::filesystem::path& file, const Warn& warn, InputFiles* files,
+                      GivenKeywords*, Strictness strictness) {
+  return read_pbrt(file, warn, files, strictness);
+}
+
 constexpr std::array kFormats = {
-    SceneFormat{".sdl", read_scene},
+    SceneFormat{".sdl", read_sdl},
+    SceneFormat{".pbrt", read_pbrt_scene},
 };
 
 } // namespace
@@ -34,7 +46,7 @@ std::string known_scene_extensions() {
 }
 
 Scene read_scene_file(const std::filesystem::path& file, const Warn& warn, InputFiles* files,
-                      GivenKeywords* given) {
+                      GivenKeywords* given, Strictness strictness) {
   const std::string extension = file.extension().string();
   const auto format = std::ranges::find_if(
       kFormats, [&](const SceneFormat& row) { return same_name(row.extension, extension); });
@@ -43,7 +55,7 @@ Scene read_scene_file(const std::filesystem::path& file, const Warn& warn, Input
                     extension.empty() ? "it has no extension, which tells the format"
                                       : fmt::format("its extension is \"{}\"", extension),
                     "The name should end in " + known_scene_extensions());
-  return format->read(file, warn, files, given);
+  return format->read(file, warn, files, given, strictness);
 }
 
 } // namespace abbe

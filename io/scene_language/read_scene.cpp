@@ -18,6 +18,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -66,6 +67,37 @@ const SceneKeyword* find_keyword(const Token& token) {
   return nullptr;
 }
 
+/// What other programs call things that have another name here.
+struct ForeignWord {
+  std::string_view theirs, ours;
+};
+constexpr std::array<ForeignWord, 24> kForeignWords{{
+    {"ior", "speedOfLight"},
+    {"eta", "speedOfLight"},
+    {"fov", "fieldOfView"},
+    {"fovy", "fieldOfView"},
+    {"resolution", "imageSize"},
+    {"size", "imageSize"},
+    {"spp", "samples"},
+    {"pixelSamples", "samples"},
+    {"color", "diffuse"},
+    {"colour", "diffuse"},
+    {"albedo", "diffuse"},
+    {"kd", "diffuse"},
+    {"material", "UseMaterial"},
+    {"position", "eye"},
+    {"camera", "eye"},
+    {"target", "lookAt"},
+    {"maxDepth", "maxRecursionDepth"},
+    {"depth", "maxRecursionDepth"},
+    {"emission", "emissive"},
+    {"dielectric", "glass"},
+    {"shininess", "specularExponent"},
+    {"box", "cube"},
+    {"disk", "disc"},
+    {"envmap", "environment"},
+}};
+
 [[noreturn]] void fail_unknown(const Token& token) {
   if (token.kind == TokenKind::word && parse_finite(token.text))
     throw ReadError(token.where, shown(token) + " stands where a keyword should",
@@ -74,6 +106,11 @@ const SceneKeyword* find_keyword(const Token& token) {
   if (token.kind == TokenKind::quoted)
     throw ReadError(token.where, "unknown keyword " + shown(token), "it stands in quotes",
                     "Remove the quotes");
+  for (const ForeignWord& word : kForeignWords)
+    if (is_word(token, word.theirs))
+      throw ReadError(token.where, "unknown keyword " + shown(token),
+                      "no such word in the scene language",
+                      fmt::format("Did you mean {}?", word.ours));
   std::vector<std::string> names;
   for (const SceneKeyword& keyword : all_keywords())
     names.emplace_back(name_of(keyword));

@@ -7,7 +7,9 @@
 
 #include "io/scene_language/read_scene_libraries.h"
 
+#include "io/libraries/read_glass_files.h"
 #include "io/libraries/read_library.h"
+#include "io/libraries/read_spectrum.h"
 #include "io/libraries/standard_lights.h"
 #include "io/text/similar_names.h"
 
@@ -97,12 +99,38 @@ void add_materials(SceneLibraries& libraries, const Token& file) {
   add_file(libraries.materials, kMaterials, libraries, file);
 }
 
+void add_glasses(SceneLibraries& libraries, const Token& name, const Warn& warn) {
+  const fs::path file =
+      input_file(libraries.files, name, libraries.folder,
+                 {"glass catalogue", "catalogues are found relative to the scene's folder"});
+  for (FileGlass& glass : read_agf_text(read_text_file(file), file, warn)) {
+    const auto known = libraries.glass_names.find(glass.glass.name);
+    if (known) {
+      libraries.glasses[*known] = std::move(glass);
+      continue;
+    }
+    (void)libraries.glass_names.add(glass.glass.name, libraries.glasses.size());
+    libraries.glasses.push_back(std::move(glass));
+  }
+}
+
+const FileGlass* look_up_glass(SceneLibraries& libraries, const Token& name) {
+  if (const auto known = libraries.glass_names.find(name.text)) return &libraries.glasses[*known];
+  if (!is_refractiveindex_file(name.text)) return nullptr;
+  add_input(libraries.files, name);
+  return &libraries.glasses.emplace_back(read_refractiveindex_glass(name));
+}
+
 Curve look_up_light(SceneLibraries& libraries, const Token& name, const Warn& warn) {
   const auto* entry = look_up(libraries.lights, kLights, libraries, name.text, warn);
   if (entry && is_standard_light(name.text) && libraries.warned_names.insert(entry->name).second)
     warn(fmt::format("{}: {} is the light of {}, which hides the built-in light of this name",
                      to_string(name.where), shown(name), libraries.lights.files));
   if (entry) return spectrum(*entry);
+  if (is_spectrum_file(name.text)) {
+    add_input(libraries.files, name);
+    return read_lamp(name, warn);
+  }
   if (const auto lamp = standard_light(name)) return *lamp;
 
   std::vector<std::string> names = names_of(libraries.lights);

@@ -14,6 +14,7 @@
 #include "io/libraries/read_absorption.h"
 #include "io/libraries/read_dispersion.h"
 #include "io/libraries/read_glass.h"
+#include "io/libraries/read_spectrum.h"
 #include "io/scene_language/read_scene_state.h"
 #include "spectral/rgb_spectrum.h"
 
@@ -29,9 +30,18 @@ namespace {
 constexpr Range kFraction{"a fraction of the light", 0.0, 1.0};
 
 template <Curve Material::* part>
-void read_reflectance(SceneState& state, Arguments& arguments) {
+void read_part(SceneState& state, Arguments& arguments) {
   require_unmixed(state, arguments);
-  state.material.finish.*part = rgb_reflectance(read_fraction_rgb(state, arguments));
+  if (name_follows(arguments)) {
+    const Token file = arguments.name_token("the name of a file");
+    if (!is_spectrum_file(file.text))
+      throw ReadError(file.where, shown(file) + " is neither a colour nor a file with a spectrum",
+                      arguments.takes(), "Give three numbers, or a .csv, .tsv, .sp or .spdx file");
+    add_input(state.files, file);
+    state.material.finish.*part = read_reflectance(file, state.warn);
+  } else {
+    state.material.finish.*part = rgb_reflectance(read_fraction_rgb(state, arguments));
+  }
   if (part == &Material::ambient) state.material.default_ambient = false;
   if (part != &Material::diffuse) return;
   state.material.default_diffuse = false;
@@ -118,6 +128,13 @@ void read_dispersion_scale(SceneState& state, Arguments& arguments) {
 }
 
 void read_metal_mirror(SceneState& state, Arguments& arguments) {
+  if (const Token& file = arguments.reader().peek(); is_refractiveindex_file(file.text)) {
+    add_input(state.files, file);
+    ConductorIndex index = read_refractiveindex_metal(file);
+    state.material = bare_metal({file.text, std::move(index.n), std::move(index.k)});
+    arguments.reader().next();
+    return;
+  }
   state.material = bare_metal(read_metal(arguments));
 }
 
@@ -143,9 +160,9 @@ void read_priority(SceneState& state, Arguments& arguments) {
 
 constexpr std::array kKeywords{
     SceneKeyword{"UseMaterial NAME", read_use_material, true},
-    SceneKeyword{"ambient r g b", read_reflectance<&Material::ambient>, true},
-    SceneKeyword{"diffuse r g b", read_reflectance<&Material::diffuse>, true},
-    SceneKeyword{"specular r g b", read_reflectance<&Material::specular>, true},
+    SceneKeyword{"ambient r g b | FILE", read_part<&Material::ambient>, true},
+    SceneKeyword{"diffuse r g b | FILE", read_part<&Material::diffuse>, true},
+    SceneKeyword{"specular r g b | FILE", read_part<&Material::specular>, true},
     SceneKeyword{"emissive r g b | SPECTRUM [factor]", read_emissive, true},
     SceneKeyword{"emissiveSides both|front", read_emissive_sides, true},
     SceneKeyword{"specularExponent e", read_exponent, true},
@@ -155,9 +172,9 @@ constexpr std::array kKeywords{
     SceneKeyword{"vnum v", read_vnum, true},
     SceneKeyword{"fresnel on|off", read_fresnel, true},
     SceneKeyword{"defaultMaterials", read_default_materials, true},
-    SceneKeyword{"glass NAME", read_glass_keyword, true},
+    SceneKeyword{"glass NAME|FILE", read_glass_keyword, true},
     SceneKeyword{"thinGlass thickness n|GLASS", read_thin_glass, true},
-    SceneKeyword{"metal NAME", read_metal_mirror, true},
+    SceneKeyword{"metal NAME|FILE", read_metal_mirror, true},
     SceneKeyword{kCauchyUsage, read_law_glass<read_cauchy>, true},
     SceneKeyword{kAbbeUsage, read_law_glass<read_abbe>, true},
     SceneKeyword{kIndexTableUsage, read_law_glass<read_index_table>, true},
@@ -192,6 +209,11 @@ CurrentMaterial read_clear_glass(SceneState& state, Arguments& arguments) {
   if (auto code = read_glass_code(arguments))
     return clear_material({std::move(code->name), std::move(code->law), Curve::constant(0.0)});
   const SourcePosition where = arguments.keyword().where;
+  if (const FileGlass* own = look_up_glass(state.libraries, arguments.reader().peek())) {
+    arguments.reader().next();
+    state.builder.warn_of_extrapolation(where, own->glass, state.warn);
+    return clear_material({own->glass.name, own->glass.dispersion, own->absorption_per_mm});
+  }
   const Glass& glass = read_glass(arguments);
   state.builder.warn_of_extrapolation(where, glass, state.warn);
   return clear_glass(glass);

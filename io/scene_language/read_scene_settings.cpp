@@ -34,12 +34,17 @@ void read_material_library(SceneState& state, Arguments& arguments) {
   add_materials(state.libraries, arguments.name_token("the name of a file"));
 }
 
+void read_glass_catalogue(SceneState& state, Arguments& arguments) {
+  add_glasses(state.libraries, arguments.name_token("the name of a file"), state.warn);
+}
+
 constexpr std::array kKeywords{
     SceneKeyword{"background r g b | SPECTRUM [factor]", read_background},
     SceneKeyword{"globalAmbient r g b | SPECTRUM [factor]", read_global_ambient},
     SceneKeyword{"unit mm|cm|m|in|um", read_unit},
     SceneKeyword{"lights FILE", read_light_library},
     SceneKeyword{"materials FILE", read_material_library},
+    SceneKeyword{"glasses FILE", read_glass_catalogue},
 };
 
 } // namespace

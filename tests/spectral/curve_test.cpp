@@ -116,3 +116,22 @@ TEST_CASE("A product is zero where a factor is zero outside its table") {
   const Curve apart = Curve::table({700.0, 710.0}, {1.0, 1.0}, Outside::zero);
   CHECK(cut.times(apart) == Curve::constant(0.0));
 }
+
+TEST_CASE("The mean of a table is its integral over the width") {
+  const Curve table = Curve::table({400.0, 410.0, 430.0}, {0.0, 1.0, 3.0});
+  CHECK(table.mean(400.0, 410.0) == Approx(0.5));
+  CHECK(table.mean(405.0, 420.0) ==
+        Approx((0.5 * (0.5 + 1.0) * 5.0 + 0.5 * (1.0 + 2.0) * 10.0) / 15.0));
+  CHECK(table.mean(390.0, 400.0) == 0.0); // held beyond its ends
+  CHECK(table.mean(425.0, 435.0) == Approx(0.1 * (2.75 * 5.0 + 3.0 * 5.0)));
+  const Curve cut = Curve::table({400.0, 410.0}, {2.0, 4.0}, Outside::zero);
+  CHECK(cut.mean(395.0, 405.0) == Approx(0.1 * 2.5 * 5.0));
+  CHECK(cut.mean(420.0, 430.0) == 0.0);
+  // A sample stands for its cell, whose mean it is.
+  std::vector<double> samples(81, 1.0);
+  samples[4] = 5.0;
+  const Curve sampled = Curve::samples81(samples);
+  CHECK(sampled.mean(397.5, 402.5) == 5.0);
+  CHECK(sampled.sampled81() == sampled);
+  CHECK(table.sampled81().at(405.0) == Approx(0.5));
+}

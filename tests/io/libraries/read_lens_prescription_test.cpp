@@ -111,3 +111,23 @@ TEST_CASE("lens files that describe no camera lens") {
   check_why("fNumber 0.1 stop surface 50 3 N-BK7 surface -50 48 air",
             "it cannot be opened to its f-number");
 }
+
+TEST_CASE("aspheric surfaces have a conic constant and even powers, in the unit of the file") {
+  const LensPrescription lens = lens_of(
+      "unit cm stop surface 2 1 1.5 60 0.8 conic -0.7 even 4 1e-3 8 -2 surface inf 3 air 0.8");
+  CHECK(lens.surfaces[0].conic == -0.7);
+  REQUIRE(lens.surfaces[0].even_terms.size() == 4); // of h^2 to h^8
+  CHECK(lens.surfaces[0].even_terms[0] == 0.0);
+  CHECK(lens.surfaces[0].even_terms[1] == Approx(1e-6)); // cm^-3 are 1e-3 mm^-3
+  CHECK(lens.surfaces[0].even_terms[3] == Approx(-2e-7));
+  CHECK(lens.surfaces[1].conic == 0.0);
+  check_error("stop surface 20 5 1.5 60 8 even 3 1 surface inf 20 air 8",
+              "l.lens:1:33: 3 is an odd power");
+  check_error("stop surface 20 5 1.5 60 conic -1 surface inf 20 air 8",
+              "l.lens:1:6: an aspheric surface has no semi-diameter");
+  std::vector<std::string> warnings;
+  (void)lens_of("stop surface 20 1 1.5 60 8 conic -1 surface inf 20 air 8", &warnings);
+  REQUIRE(warnings.size() == 1); // the sag at 8 is 1.6
+  CHECK_THAT(warnings[0],
+             Catch::Matchers::ContainsSubstring("at 8 mm from the axis it lies 0.6 mm"));
+}

@@ -66,11 +66,12 @@ TEST_CASE("entries stand one after the other, with or without endfilter") {
 TEST_CASE("errors of a light library") {
   const std::string colour = "colour 81" + values(81);
   CHECK(error_of("filter a { colour 80" + values(80) + "}") ==
-        "l.filter:1:19: 80 values are announced for colour (libraries hold samples at 380, 385 ... "
-        "780 nm). Give 81 values");
-  CHECK(error_of("filter a { colour x }") ==
-        "l.filter:1:19: \"x\" is not a whole number (colour takes 81 v380 v385 ... v780). Give "
-        "digits only, such as 81");
+        "l.filter:1:19: 80 values are announced for colour (libraries hold values "
+        "from 380 to 780 nm, in steps of 10, 5, 2 or 1 nm). Give 81 values, or 41, 201 or 401");
+  CHECK(
+      error_of("filter a { colour x }") ==
+      "l.filter:1:19: \"x\" is not a whole number (colour takes 41|81|201|401 v380 ... v780). Give "
+      "digits only, such as 81");
   CHECK(error_of("filter a {\ncolour 81" + values(80) + "\n}") ==
         "l.filter:3:1: colour has only 80 values (\"}\" stands where value 81 of 81 should). Give "
         "81 values, at 380, 385 ... 780 nm");
@@ -84,8 +85,8 @@ TEST_CASE("errors of a light library") {
         "l.filter:1:22: -1 is out of range for colour (it is a share of light, never negative). "
         "Give a number from 0 to 1000000000000000");
   CHECK(error_of("filter a {\n" + colour + "\n0 0.25 }") ==
-        "l.filter:3:3: 0.25 is one of too many values for colour (81 samples at 380, 385 ... 780 "
-        "nm are read; only zeros may follow). Remove it, or look for one given twice");
+        "l.filter:3:3: 0.25 is one of too many values for colour (81 values from 380 to 780 nm "
+        "are read; only zeros may follow). Remove it, or look for one given twice");
   CHECK(error_of("filter a { colour 81" + values(81) + "\n intensty 2 }") ==
         "l.filter:2:2: unknown key \"intensty\" (no such key in an entry of filter). Did you mean "
         "intensity?");
@@ -120,12 +121,21 @@ TEST_CASE("errors of a light library") {
         "l.filter:1:24: intensity is given twice (an entry has each key at most once). Remove one "
         "of them");
   CHECK(error_of("filter a { intensity 1 }") ==
-        "l.filter:1:8: \"a\" has no colour (nothing sensible can stand in for it). Add colour 81 "
-        "v380 v385 ... v780");
+        "l.filter:1:8: \"a\" has no colour (nothing sensible can stand in for it). Add colour "
+        "41|81|201|401 v380 ... v780");
   CHECK(error_of("filter a {" + colour + "}\nfilter A {" + colour + "}") ==
         "l.filter:2:8: \"A\" is defined twice (names must differ by more than upper and lower "
         "case). Rename or remove one of them");
   REQUIRE_THROWS_WITH(read_lights("none.filter", {}),
                       "none.filter: the file cannot be read (No such file or directory). Check its "
                       "name and folder");
+}
+
+TEST_CASE("a light of steps other than 5 nm is linear between its values") {
+  const auto lights = lights_of("filter a { colour 401" + values(400) +
+                                " 1 } filter b { colour 41 0" + values(40, "1") + "}");
+  CHECK(lights[0].colour.at(779.5) == Approx(0.75));
+  CHECK(lights[1].colour.at(385.0) == Approx(0.5));
+  CHECK(error_of("filter a { colour 401" + values(81) + "}")
+            .starts_with("l.filter:1:346: colour has only 81 values"));
 }

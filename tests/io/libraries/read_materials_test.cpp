@@ -117,8 +117,8 @@ TEST_CASE("errors of a material library") {
   CHECK(error_of("def a { fresnel maybe }") ==
         "m.mtl:1:17: \"maybe\" is no choice of fresnel (fresnel takes on|off). Give on or off");
   CHECK(error_of("def a { freqBreakdown 80 0 }") ==
-        "m.mtl:1:23: 80 values are announced for freqBreakdown (libraries hold samples at 380, 385 "
-        "... 780 nm). Give 81 values");
+        "m.mtl:1:23: 80 values are announced for freqBreakdown (libraries hold values "
+        "from 380 to 780 nm, in steps of 10, 5, 2 or 1 nm). Give 81 values, or 41, 201 or 401");
   CHECK(error_of("def a { alsoCalled A }") ==
         "m.mtl:1:20: \"A\" is defined twice (names must differ by more than upper and lower case). "
         "Rename or remove one of them");

@@ -63,7 +63,7 @@ TEST_CASE("errors of metals and coloured glass") {
         "are Ag Al Au Cr Cu Fe Ni Pt Ti W");
   CHECK(scene_error("metal") ==
         "s.sdl:1:6: the end of the file stands where the name of a metal should (metal takes "
-        "NAME). Give a name; one with spaces goes in double quotes");
+        "NAME|FILE). Give a name; one with spaces goes in double quotes");
   CHECK(scene_error("metal Au transparency 0.5") ==
         "s.sdl:1:10: transparency does not go with metal (what a metal does not reflect it takes "
         "in). Give a glass, or remove it");

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/scene/scene.h"
+#include "io/pbrt/strictness.h"
+#include "io/scene_language/input_files.h"
+#include "io/text/read_error.h"
+
+#include <filesystem>
+#include <string_view>
+
+namespace abbe {
+
+/// Reads a scene of pbrt-v4. docs/scene_format.md says what is understood; the rest is an error at
+/// its place, or with Strictness::lenient a warning. All files that are read are added to `files`,
+/// unless it is null. Throws ReadError.
+[[nodiscard]] Scene read_pbrt(const std::filesystem::path& file, const Warn& warn,
+                              InputFiles* files, Strictness strictness);
+
+/// The same from text; `file` is for messages, and other files are found from its folder.
+[[nodiscard]] Scene read_pbrt_text(std::string_view text, const std::filesystem::path& file,
+                                   const Warn& warn, Strictness strictness);
+
+} // namespace abbe
