@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 namespace abbe {
 namespace {
@@ -168,10 +169,39 @@ dvec3 snapped(const CsgTree& tree, const dvec3& point, FaceId face) {
       leaf.solid);
 }
 
-FaceId nearest_face(const CsgTree& tree, const dvec3& point, const dvec3& direction) {
-  FaceId nearest;
-  bool can_leave = false; // by the nearest one so far
+namespace {
+
+/// To first order.
+double distance_to_face(const CsgTree& tree, const dvec3& point, FaceId face) {
+  return std::abs(glm::dot(outward_normal(tree, point, face), point - snapped(tree, point, face)));
+}
+
+/// See WayOut; infinite where the ray does not leave by the face.
+double move_to_leave(const CsgTree& tree, const dvec3& point, const dvec3& direction, FaceId face) {
+  const double distance = distance_to_face(tree, point, face);
+  if (!runs_in(outward_normal(tree, point, face), direction)) return distance;
+  const CsgLeaf& leaf = tree.leaves()[static_cast<std::size_t>(face.leaf)];
+  if (leaf.flipped) return kInfinity; // a hollow: the line does not come back to it
+  const FaceContact contact{face.face, Side::inside};
+  const LocalRay ray = local_ray(leaf.to_tree, {point, direction});
+  const auto chord =
+      std::visit([&](const auto& solid) { return intersect(solid, ray, &contact); }, leaf.solid);
+  if (!chord || chord->exit.t == kInfinity || chord->exit.face.face != face.face) return kInfinity;
+  return distance + distance_to_face(tree, point + 0.5 * chord->exit.t * direction, face);
+}
+
+} // namespace
+
+WayOut nearest_way_out(const CsgTree& tree, const dvec3& point, const dvec3& direction) {
+  WayOut nearest;
   double smallest = kInfinity;
+  const auto try_face = [&](FaceId face) {
+    const double move = move_to_leave(tree, point, direction, face);
+    const double distance = distance_to_face(tree, point, face);
+    if (std::tie(move, distance) >= std::tie(nearest.move, smallest)) return;
+    nearest = {face, move};
+    smallest = distance;
+  };
   for (std::size_t i = 0; i < tree.leaves().size(); ++i) {
     const CsgLeaf& leaf = tree.leaves()[i];
     // The solid ends where a leaf that is taken away begins.
@@ -181,14 +211,10 @@ FaceId nearest_face(const CsgTree& tree, const dvec3& point, const dvec3& direct
           return nearest_face(solid, leaf.to_tree.inverse_point(point), d);
         },
         leaf.solid);
-    const FaceId id{static_cast<std::int32_t>(i), face};
-    const dvec3 normal = outward_normal(tree, point, id);
-    const double distance = std::abs(glm::dot(normal, point - snapped(tree, point, id)));
-    const bool leaves = !runs_in(normal, direction);
-    if (leaves < can_leave || (leaves == can_leave && distance >= smallest)) continue;
-    smallest = distance;
-    can_leave = leaves;
-    nearest = id;
+    try_face({static_cast<std::int32_t>(i), face});
+    // The one curved face of a ball or a cylinder, also where the ray runs in from it.
+    if (face != 0 && std::holds_alternative<TaperedCylinder>(leaf.solid))
+      try_face({static_cast<std::int32_t>(i), 0});
   }
   return nearest;
 }

@@ -55,8 +55,16 @@ void intersect(const CsgTree& tree, const LocalRay& ray, std::span<const CsgCont
                std::vector<Interval>& intervals);
 [[nodiscard]] dvec3 outward_normal(const CsgTree& tree, const dvec3& point, FaceId face);
 [[nodiscard]] dvec3 snapped(const CsgTree& tree, const dvec3& point, FaceId face);
-/// The nearest of the faces that a ray in this direction does not run in from.
-[[nodiscard]] FaceId nearest_face(const CsgTree& tree, const dvec3& point, const dvec3& direction);
+/// A face, and how far a ray would have to be moved to leave by it at its origin: by its distance
+/// from the origin, and where a curved face is run in from also by the depth of the chord below it.
+struct WayOut {
+  FaceId face;
+  double move = kInfinity;
+};
+/// The face by which a ray leaves that should be inside and is not, by the least move. No ray
+/// leaves by a plane face that it runs in from.
+[[nodiscard]] WayOut nearest_way_out(const CsgTree& tree, const dvec3& point,
+                                     const dvec3& direction);
 /// Negative inside, positive outside; only the sign is meaningful far from the surface.
 [[nodiscard]] double signed_distance(const CsgTree& tree, const dvec3& point);
 [[nodiscard]] Bounds bounds(const CsgTree& tree, const Transform& to_world);

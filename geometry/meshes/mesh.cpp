@@ -104,7 +104,7 @@ public:
       : mesh_(mesh), point_(point), direction_(direction) {
     visit(0);
   }
-  [[nodiscard]] int face() const { return face_; }
+  [[nodiscard]] NearFace found() const { return {face_, std::sqrt(smallest_)}; }
 
 private:
   void visit(std::int32_t child) {
@@ -255,18 +255,26 @@ dvec3 snapped(const Mesh& mesh, const dvec3& point, int face) {
   return point - glm::dot(n, point - mesh.corner(face, 0)) * n;
 }
 
-int nearest_face(const Mesh& mesh, const LocalRay& ray, bool entering) {
-  return NearestFace(mesh, ray.origin, entering ? -ray.direction : ray.direction).face();
+NearFace nearest_face(const Mesh& mesh, const LocalRay& ray, bool entering) {
+  return NearestFace(mesh, ray.origin, entering ? -ray.direction : ray.direction).found();
+}
+
+double depth_below(const Mesh& mesh, const LocalRay& ray, int face) {
+  double reach = 0.0;
+  for (const dvec3& corner : mesh.corners(face))
+    reach = std::max(reach, glm::length(corner - ray.origin));
+  return reach * std::abs(glm::dot(outward_normal(mesh, ray.origin, face), ray.direction)) /
+         glm::length(ray.direction);
 }
 
 double signed_distance(const Mesh& mesh, const dvec3& point) {
   if (!mesh.is_closed()) return 1.0;
+  // The boxes hold the triangles, and between them there may be room inside the mesh.
   const MeshHierarchy& boxes = mesh.hierarchy();
-  bool outside = true;
+  Bounds all;
   for (std::size_t i = 0; i < 8; ++i)
-    if (boxes.nodes[0].holds(i) && squared_distance(boxes.bounds(boxes.nodes[0], i), point) == 0.0)
-      outside = false;
-  if (outside) return 1.0;
+    if (boxes.nodes[0].holds(i)) all = all.joined(boxes.bounds(boxes.nodes[0], i));
+  if (squared_distance(all, point) > 0.0) return 1.0;
   double angle = 0.0; // 4 pi inside, 0 outside
   for (int i = 0; i < static_cast<int>(mesh.triangles().size()); ++i)
     angle += solid_angle(mesh.corner(i, 0) - point, mesh.corner(i, 1) - point,

@@ -92,10 +92,16 @@ enum class MeshSearch : std::uint8_t {
 /// nothing where the triangle is flat.
 [[nodiscard]] std::optional<dvec3> shading_normal(const Mesh& mesh, const dvec3& point, int face);
 [[nodiscard]] dvec3 snapped(const Mesh& mesh, const dvec3& point, int face);
-/// The nearest triangle through which a ray from the point can leave, or with `entering` get in.
-[[nodiscard]] int nearest_face(const Mesh& mesh, const LocalRay& ray, bool entering);
+struct NearFace {
+  int face = 0;
+  double distance = kInfinity;
+};
+/// The nearest triangle through which a ray from its origin can leave, or with `entering` get in.
+[[nodiscard]] NearFace nearest_face(const Mesh& mesh, const LocalRay& ray, bool entering);
+/// How far a ray that starts on a triangle is from its plane where it comes to its edge, at most.
+[[nodiscard]] double depth_below(const Mesh& mesh, const LocalRay& ray, int face);
 /// Negative inside a closed mesh, else positive; only the sign has a meaning. Asks each triangle
-/// where the point is not outside all boxes.
+/// where the point is not outside the box around all.
 [[nodiscard]] double signed_distance(const Mesh& mesh, const dvec3& point);
 [[nodiscard]] Bounds bounds(const Mesh& mesh, const Transform& to_world);
 

@@ -84,9 +84,21 @@ void keep_contacts(Hit& hit, const Contacts& contacts) {
 
 /// True where rounding cannot tell the place of a crossing from the ray's origin. A root's error is
 /// that of the surface's place, seen along the ray.
-bool has_not_moved(const RayState& state, const ShapeCrossing& crossing, const Hit& hit) {
-  return crossing.t <= crossing.t_error &&
-         crossing.t <= crossing.t_error * std::abs(glm::dot(hit.normal, state.ray.direction));
+bool has_not_moved(const RayState& state, double t_error, const Hit& hit) {
+  return hit.t <= t_error && hit.t <= t_error * std::abs(glm::dot(hit.normal, state.ray.direction));
+}
+
+/// Where the boundary is that crossings make together: the place of the one that shows, or the
+/// nearest to it at which rounding may have put each of them. A ray along a plane may cross it
+/// anywhere, and coincides with what it meets on the way; the boundary is there, not where the
+/// root of the plane happens to be.
+[[gnu::noinline]] double common_place(const Coincident& crossings, double t) {
+  double first = 0.0, last = kInfinity;
+  for (const Candidate& c : crossings) {
+    first = std::max(first, c.crossing.t - c.crossing.t_error);
+    last = std::min(last, c.crossing.t + c.crossing.t_error);
+  }
+  return std::clamp(t, first, last);
 }
 
 } // namespace
@@ -126,7 +138,7 @@ bool resolve(const ShapeTable& shapes, const RayState& state, const Coincident& 
              Hit& hit) {
   const Candidate& seen = shown(shapes, crossings);
   const ShapeTable::Row& row = shapes[seen.shape];
-  hit.t = seen.crossing.t;
+  hit.t = crossings.size() == 1 ? seen.crossing.t : common_place(crossings, seen.crossing.t);
   hit.shape = seen.shape;
   hit.face = seen.crossing.face;
   hit.entering = seen.crossing.entering;
@@ -146,7 +158,7 @@ bool resolve(const ShapeTable& shapes, const RayState& state, const Coincident& 
     enter_or_leave(hit.nesting_after, c.shape, c.crossing.entering);
     changes = true;
   }
-  hit.moved = !has_not_moved(state, seen.crossing, hit);
+  hit.moved = !has_not_moved(state, seen.crossing.t_error, hit);
   if (hit.t == 0.0) keep_contacts(hit, state.contacts);
 
   hit.medium_before = medium_of(shapes, hit.nesting_before);

@@ -60,26 +60,39 @@ std::optional<ShapeCrossing> next_crossing(const CsgTree& tree, const LocalRay& 
 
   if (state.inside) {
     const Root* just_left = nullptr; // an exit that rounding has put behind the origin
+    const Interval* later = nullptr; // a later part of the solid
     for (const Interval& i : intervals) {
       if (i.exit.t < 0.0) {
         if (-i.exit.t <= i.exit.t_error) just_left = &i.exit;
         continue;
       }
-      if (i.enter.t > i.enter.t_error) break; // a later part of the solid
+      if (i.enter.t > i.enter.t_error) {
+        later = &i;
+        break;
+      }
       return ShapeCrossing{i.exit.t, i.exit.t_error, i.exit.face, false};
     }
-    return ShapeCrossing{
-        0.0, 0.0, just_left ? just_left->face : nearest_face(tree, ray.origin, ray.direction),
-        false};
+    if (just_left) return ShapeCrossing{0.0, 0.0, just_left->face, false};
+    // The origin is off its place, as the ray that led there was: at an edge it may lie in front of
+    // another face than the one that was met, by which the ray enters, or behind one, by which it
+    // leaves. It is the one that it is less far from.
+    const WayOut out = nearest_way_out(tree, ray.origin, ray.direction);
+    if (later && later->enter.t * glm::length(ray.direction) < out.move)
+      return ShapeCrossing{later->exit.t, later->exit.t_error, later->exit.face, false};
+    return ShapeCrossing{0.0, 0.0, out.face, false};
   }
   for (const Interval& i : intervals) {
     if (i.enter.t >= 0.0) return ShapeCrossing{i.enter.t, i.enter.t_error, i.enter.face, true};
     if (-i.enter.t <= i.enter.t_error && i.exit.t > -i.enter.t)
       return ShapeCrossing{0.0, i.enter.t_error, i.enter.face, true};
     // A ray from an edge goes into the solid through another face than the one it is known to lie
-    // on: both are crossed at once, and the solid goes on in front and behind.
-    if (state.touching && i.enter.t < 0.0 && i.exit.t > i.exit.t_error)
-      return ShapeCrossing{0.0, 0.0, nearest_face(tree, ray.origin, -ray.direction), true};
+    // on: both are crossed at once, and the solid goes on in front and behind. Or its origin is
+    // behind a face by which it has left, if that one is nearer.
+    if (state.touching && i.enter.t < 0.0 && i.exit.t > i.exit.t_error) {
+      const WayOut in = nearest_way_out(tree, ray.origin, -ray.direction);
+      if (in.move <= i.exit.t * glm::length(ray.direction))
+        return ShapeCrossing{0.0, 0.0, in.face, true};
+    }
   }
   return std::nullopt;
 }
@@ -155,9 +168,30 @@ std::optional<ShapeCrossing> next_crossing(const Mesh& mesh, const LocalRay& ray
     touched_faces = {touched.begin(), touched.size()};
     ahead = look_ahead(mesh, ray, touched_faces, true);
   }
-  if (ahead.missed && (state.touching || state.inside))
-    return ShapeCrossing{0.0, 0.0, {0, nearest_face(mesh, ray, !state.inside)}, !state.inside};
+  // A ray that has left along a face may seem to enter by it where it is. It does when more exits
+  // than entries lie ahead.
+  while (!state.inside && state.touching && !ahead.missed &&
+         ahead.found.enter.t <= ahead.found.enter.t_error) [[unlikely]] {
+    if (first_crossings(mesh, ray, touched_faces, MeshSearch::sum).exits_less_entries > 0) break;
+    touched.push_back(ahead.found.enter.face.face);
+    touched_faces = {touched.begin(), touched.size()};
+    ahead = look_ahead(mesh, ray, touched_faces, false);
+  }
   const Root& wanted = state.inside ? ahead.found.exit : ahead.found.enter;
+  if (ahead.missed && (state.touching || state.inside)) {
+    // Either the ray crosses at once, or its origin is off its place, as the ray that led there
+    // was: at an edge it may lie beyond another face than the one that was met, which then is
+    // crossed first; and a ray along a face may cross that. It is what takes the smallest move.
+    const Root& other = state.inside ? ahead.found.enter : ahead.found.exit;
+    NearFace at_once = nearest_face(mesh, ray, !state.inside);
+    if (state.touching) {
+      const double depth = depth_below(mesh, ray, state.face.face);
+      if (depth < at_once.distance) at_once = {state.face.face, depth};
+    }
+    const bool beyond = other.t != kInfinity && (!state.inside || wanted.t != kInfinity) &&
+                        other.t * glm::length(ray.direction) < at_once.distance;
+    if (!beyond) return ShapeCrossing{0.0, 0.0, {0, at_once.face}, !state.inside};
+  }
   if (wanted.t == kInfinity) return std::nullopt;
   return ShapeCrossing{wanted.t, wanted.t_error, wanted.face, !state.inside};
 }

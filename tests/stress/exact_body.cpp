@@ -147,14 +147,14 @@ void ExactLeaf::stretch(const Vec& origin, const Vec& direction, ExactCrossing& 
   }
 }
 
-Real ExactLeaf::distance(int face, const Vec& world) const {
+Real ExactLeaf::height(int face, const Vec& world) const {
   const Vec p = seen(world);
   const auto away = [&](Real level, const Vec& gradient) {
-    return std::abs(level) / glm::length(gradient * inverse);
+    return level / glm::length(gradient * inverse);
   };
   if (kind == Kind::ball) {
     const Real r = glm::length(p);
-    return r == 0 ? kInf : away(r - 1, p / r);
+    return r == 0 ? -kInf : away(r - 1, p / r);
   }
   if (kind == Kind::planes) {
     const auto& [n, height] = planes[static_cast<std::size_t>(face)];
@@ -164,17 +164,30 @@ Real ExactLeaf::distance(int face, const Vec& world) const {
     const Real rho = std::hypot(p.x, p.y), k = top_radius - 1;
     return away(rho - 1 - k * p.z, rho == 0 ? Vec(0, 0, 1) : Vec(p.x / rho, p.y / rho, -k));
   }
+  if (kind == Kind::taper && face == 1) return away(-p.z, Vec(0, 0, 1));
   return away(p.z - (face == 2 ? 1 : 0), Vec(0, 0, 1));
 }
 
+Real ExactLeaf::distance(int face, const Vec& world) const {
+  return std::abs(height(face, world));
+}
+
+int ExactLeaf::faces() const {
+  if (kind == Kind::planes) return static_cast<int>(planes.size());
+  return kind == Kind::taper ? 3 : 1;
+}
+
 Real ExactLeaf::clearance(const Vec& world) const {
-  const int faces = kind == Kind::planes  ? static_cast<int>(planes.size())
-                    : kind == Kind::taper ? 3
-                                          : 1;
   Real smallest = kInf;
-  for (int face = 0; face < faces; ++face)
+  for (int face = 0; face < faces(); ++face)
     smallest = std::min(smallest, distance(face, world));
   return smallest;
+}
+
+bool ExactLeaf::may_show(int face, const Vec& world, Real moved) const {
+  for (int other = 0; other < faces(); ++other)
+    if (other != face && height(other, world) > moved) return false;
+  return true;
 }
 
 Vec ExactLeaf::normal(int face, const Vec& world) const {
@@ -277,6 +290,33 @@ bool ExactBody::combine(const std::vector<bool>& in_leaf) const {
                                                                  : a && !b;
   }
   return stack[0];
+}
+
+bool ExactBody::may_show(FaceId face, const Vec& world, Real moved) const {
+  if (!triangles_.empty()) {
+    const auto i = static_cast<std::size_t>(face.face);
+    return comes_near(i, world, moved);
+  }
+  const auto leaf = static_cast<std::size_t>(face.leaf);
+  if (!leaves_[leaf].may_show(face.face, world, moved)) return false;
+  if (steps_.empty()) return true;
+  // The face shows where the solid is on one side of it alone; leaves with a surface that close may
+  // hold the place or not.
+  std::vector<bool> in;
+  std::vector<std::size_t> unsure;
+  for (std::size_t i = 0; i < leaves_.size(); ++i) {
+    in.push_back(leaves_[i].contains(world));
+    if (i != leaf && leaves_[i].clearance(world) <= moved) unsure.push_back(i);
+  }
+  for (std::size_t choice = 0; choice < std::size_t{1} << unsure.size(); ++choice) {
+    for (std::size_t k = 0; k < unsure.size(); ++k)
+      in[unsure[k]] = (choice >> k & 1) != 0;
+    in[leaf] = true;
+    const bool with = combine(in);
+    in[leaf] = false;
+    if (with != combine(in)) return true;
+  }
+  return false;
 }
 
 bool ExactBody::contains(const Vec& world) const {
@@ -384,23 +424,25 @@ Real ExactBody::blur(const Vec& origin, Real t) const {
   return found;
 }
 
+bool ExactBody::comes_near(std::size_t triangle, const Vec& world, Real distance) const {
+  const Triangle& t = triangles_[triangle];
+  const auto corner = [&](std::size_t k) { return vertices_[static_cast<std::size_t>(t[k])]; };
+  const Vec n = normals_[triangle];
+  if (std::abs(glm::dot(n, world - corner(0))) > distance) return false;
+  for (std::size_t k = 0; k < 3; ++k) { // outside of an edge, in the triangle's plane
+    const Vec edge = corner((k + 1) % 3) - corner(k);
+    const Vec outwards = glm::normalize(glm::cross(edge, n));
+    const Real out = glm::dot(outwards, world - corner(k));
+    const Real opposite = glm::dot(outwards, corner((k + 2) % 3) - corner(k));
+    if ((opposite < 0 ? out : -out) > distance) return false;
+  }
+  return true;
+}
+
 bool ExactBody::comes_near(const Vec& world, Real distance) const {
   if (!solid_) return false;
-  for (std::size_t i = 0; i < triangles_.size(); ++i) {
-    const Triangle& t = triangles_[i];
-    const auto corner = [&](std::size_t k) { return vertices_[static_cast<std::size_t>(t[k])]; };
-    const Vec a = corner(0), n = normals_[i];
-    if (std::abs(glm::dot(n, world - a)) > distance) continue;
-    bool beside = false; // farther than this outside of an edge, in the triangle's plane
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec edge = corner((k + 1) % 3) - corner(k);
-      const Vec outwards = glm::normalize(glm::cross(edge, n));
-      const Real out = glm::dot(outwards, world - corner(k));
-      const Real opposite = glm::dot(outwards, corner((k + 2) % 3) - corner(k));
-      if ((opposite < 0 ? out : -out) > distance) beside = true;
-    }
-    if (!beside) return true;
-  }
+  for (std::size_t i = 0; i < triangles_.size(); ++i)
+    if (comes_near(i, world, distance)) return true;
   for (const ExactLeaf& leaf : leaves_)
     if (leaf.clearance(world) <= distance) return true;
   return false;

@@ -32,7 +32,13 @@ struct ExactLeaf {
   /// The stretch of a line inside; `first.t > last.t` where there is none.
   void stretch(const Vec& origin, const Vec& direction, ExactCrossing& first,
                ExactCrossing& last) const;
-  /// Distance of a point to the surface of one face in the world, to first order.
+  [[nodiscard]] int faces() const;
+  /// How far a point is outside the surface of one face in the world, to first order; negative
+  /// inside.
+  [[nodiscard]] Real height(int face, const Vec& world) const;
+  /// Whether a place on a face can be seen on the solid when its other faces are moved by `moved`.
+  [[nodiscard]] bool may_show(int face, const Vec& world, Real moved) const;
+  /// The magnitude of `height`.
   [[nodiscard]] Real distance(int face, const Vec& world) const;
   /// The smallest of all faces.
   [[nodiscard]] Real clearance(const Vec& world) const;
@@ -62,6 +68,9 @@ public:
   [[nodiscard]] Real blur(const Vec& origin, Real t) const;
   /// False when no surface of the body is closer than this; true may be a false alarm.
   [[nodiscard]] bool comes_near(const Vec& world, Real distance) const;
+  /// Whether a place on the surface of a face is on the body's boundary when each other face is
+  /// moved by `moved` at most, as rounding may move it.
+  [[nodiscard]] bool may_show(FaceId face, const Vec& world, Real moved) const;
   /// How far a point of a flat shape's plane is inside its rim, in the world; negative outside.
   [[nodiscard]] Real inside_rim(const Vec& world) const;
   [[nodiscard]] Real distance(FaceId face, const Vec& world) const;
@@ -71,6 +80,7 @@ public:
 private:
   void mesh_crossings(const Vec& origin, const Vec& direction,
                       std::vector<ExactCrossing>& found) const;
+  [[nodiscard]] bool comes_near(std::size_t triangle, const Vec& world, Real distance) const;
   [[nodiscard]] bool combine(const std::vector<bool>& in_leaf) const;
 
   bool solid_ = true;

@@ -139,21 +139,19 @@ void RayJudge::check_before(const RayState& state, const Hit& hit) {
 
 void RayJudge::check_behind(const RayState& state, const Hit& hit, const ExactCrossing& same,
                             Real error) {
-  // The next crossing must lie so far behind that rounding puts nothing between.
+  // The next crossing must lie so far behind that rounding puts nothing between, and no other one
+  // so close before that rounding may put it behind.
   Real to = same.t + extent_;
-  for (const SceneCrossing& c : ahead_)
-    if (c.crossing.t > same.t) {
-      to = c.crossing.t;
-      break;
-    }
-  if (to - same.t < 8 * error) return;
+  for (const auto& [shape, c] : crossed_) {
+    const bool itself = shape == hit.shape.value && c.t == same.t && c.face == same.face;
+    if (!itself && std::abs(c.t - same.t) < 8 * error) return;
+    if (c.t > same.t) to = std::min(to, c.t);
+  }
   const Vec p(hit.point);
   for (std::size_t i = 0; i < bodies_.size(); ++i)
     if (i != hit.shape.index() && bodies_[i].comes_near(p, 4 * blur(i, p, hit.t))) return;
   look(state, same.t + 0.4142L * (to - same.t));
   if (!place_.certain || same_solids(hit.nesting_after)) return;
-  if (std::holds_alternative<Mesh>(world_.shapes()[hit.shape.index()].shape))
-    return open("open_mesh_crossed_twice"); // known: at an edge of slivers
   fail("wrong_behind", state, hit);
 }
 
@@ -196,9 +194,10 @@ void RayJudge::check_hit(const RayState& state, const Hit& hit) {
   const Real slope = std::abs(glm::dot(truth, Vec(state.ray.direction)));
   const Real sure = (state.contacts.empty() ? 4 : 64) * blur;
   if (away > sure && away * slope > sure) {
-    // Known and open, see docs/stability.md: a ray that grazes an edge leaves at once, by a face
-    // that is not the nearest, and is put there. What follows is judged no more.
-    if (Real(hit.t) <= sure) return open("open_jump_at_an_edge");
+    // Known and open, see docs/stability.md: a ray that grazes an edge of a mesh leaves at once, by
+    // a face that is not the nearest, and is put there. What follows is judged no more.
+    if (Real(hit.t) <= sure && std::holds_alternative<Mesh>(world_.shapes()[shape].shape))
+      return open("open_jump_at_an_edge");
     fail("point_off_line", state, hit);
   }
   const Real turn = glm::length(n - truth) - body.turn(hit.face, p, blur);
@@ -217,27 +216,6 @@ void RayJudge::check_hit(const RayState& state, const Hit& hit) {
       fail("self_hit", state, hit);
   }
   check_distance(state, hit);
-}
-
-/// Whether a line beside the ray, no farther off than rounding, has the hit where it is said to be.
-bool RayJudge::is_met_beside(const RayState& state, const Hit& hit, Real blur) {
-  const Vec o(state.ray.origin), d(state.ray.direction);
-  const ExactBody& body = bodies_[hit.shape.index()];
-  Random random(round_);
-  for (int k = 0; k < 300; ++k) {
-    const Vec corner(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-    const Vec beside = o + 2 * blur * (k < 27 ? corner : Vec(random.in_cube(1.0)));
-    found_.clear();
-    const Vec turned = d + 0x1p-49L * (k < 27 ? corner : Vec(random.in_cube(1.0)));
-    body.crossings(beside, turned, found_);
-    for (const ExactCrossing& c : found_) {
-      if (!(c.face == hit.face) || c.entering != hit.entering) continue;
-      const Real cosine = std::abs(glm::dot(body.normal(c.face, beside + c.t * turned), turned));
-      const Real curved = std::sqrt(body.turn(c.face, beside + c.t * d, blur)) * extent_;
-      if (std::abs(c.t - Real(hit.t)) <= 8 * blur / cosine + curved) return true;
-    }
-  }
-  return false;
 }
 
 void RayJudge::check_distance(const RayState& state, const Hit& hit) {
@@ -268,9 +246,10 @@ void RayJudge::check_distance(const RayState& state, const Hit& hit) {
   // Known to leave at once: the root is 0 by definition, and whether it does is seen behind it.
   if (next->t <= next->t_error && known.touching) return tally_.count("t_by_definition");
   if (!same || nearest > Real(next->t_error)) {
-    if (is_met_beside(state, hit, blur)) return tally_.count("t_at_an_edge");
-    // Known and open: a mesh of slivers may be met a little farther beside it than that.
-    if (std::holds_alternative<Mesh>(placed.shape)) return open("open_mesh_met_beside");
+    // By now the place is known to be on the line and on the face's surface. At an edge the face
+    // may reach that far when rounding moves the others.
+    if (bodies_[hit.shape.index()].may_show(hit.face, Vec(hit.point), 2 * blur))
+      return tally_.count("t_at_an_edge");
     return fail(same ? "t" : "ghost", state, hit);
   }
   tally_.count(known.touching ? "t_from_a_surface" : "t_from_free");
@@ -296,6 +275,14 @@ void RayJudge::judge(const RayState& state, const Hit& hit, bool behind_others) 
   tally_.count("rays");
   tally_.count(std::string("rays_") + kind_);
   tally_.count(std::string("scene_") + name_);
+  // Known and open, see docs/stability.md: a ray all but along a plane may be said to lie on what
+  // it met beside it.
+  for (const SurfaceContact& c : state.contacts) {
+    const ExactBody& body = bodies_[c.shape.index()];
+    const Vec o(state.ray.origin);
+    if (body.distance(c.face, o) > 64 * blur(c.shape.index(), o, 0))
+      return open("open_contact_off_its_surface");
+  }
   ahead(Vec(state.ray.origin), Vec(state.ray.direction));
   check_before(state, hit);
   check_flat_ones(state, hit);

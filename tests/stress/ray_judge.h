@@ -56,7 +56,6 @@ private:
   void look(const RayState& state, Real t);
   void check_before(const RayState& state, const Hit& hit);
   void check_behind(const RayState& state, const Hit& hit, const ExactCrossing& same, Real error);
-  [[nodiscard]] bool is_met_beside(const RayState& state, const Hit& hit, Real blur);
   void check_flat_ones(const RayState& state, const Hit& hit);
   void check_hit(const RayState& state, const Hit& hit);
   void check_distance(const RayState& state, const Hit& hit);

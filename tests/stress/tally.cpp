@@ -10,7 +10,7 @@
 namespace abbe::stress {
 
 namespace {
-constexpr std::uint64_t kKept = 5; ///< reproductions of failures of one name
+constexpr std::uint64_t kKept = 500000; ///< reproductions of failures of one name
 } // namespace
 
 void Tally::worst(const std::string& name, double value) {

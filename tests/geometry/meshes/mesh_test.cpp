@@ -257,7 +257,8 @@ TEST_CASE("mesh: the nearest face that a ray can go through is the one that brut
     for (const auto& t : soup.triangles)
       if ((glm::dot(glm::cross(t[1] - t[0], t[2] - t[0]), Vec(ray.direction)) < 0) == entering)
         least = std::min(least, distance(t, Vec(ray.origin)));
-    const int face = nearest_face(ring, ray, entering);
+    const auto [face, at] = nearest_face(ring, ray, entering);
+    CHECK(std::abs(at - least) < 1e-12L);
     CHECK((glm::dot(outward_normal(ring, {}, face), ray.direction) < 0.0) == entering);
     const auto& found = soup.triangles[static_cast<std::size_t>(face)];
     CHECK(std::abs(distance(found, Vec(ray.origin)) - least) < 1e-12L);
@@ -288,4 +289,25 @@ TEST_CASE("mesh: what is no surface is refused") {
   CHECK_THROWS_AS(Mesh(cube_corners(), {{0, 1, -1}}), std::invalid_argument);
   CHECK_THROWS_AS(Mesh(cube_corners(), {{0, 1, 1}}), std::invalid_argument);
   CHECK_THROWS_AS(Mesh({{0, 0, 0}, {1, 0, 0}, {0, NAN, 0}}, {{0, 1, 2}}), std::invalid_argument);
+}
+
+TEST_CASE("mesh: what lies between the boxes of its triangles is inside too") {
+  Random random(117);
+  const Mesh ball = icosphere(1);
+  int checked = 0, wrong = 0;
+  for (int i = 0; i < 200; ++i) {
+    std::vector<dvec3> vertices = ball.vertices();
+    for (dvec3& v : vertices)
+      v *= random.uniform(0.4, 1.0);
+    const Mesh jagged(vertices, ball.triangles());
+    const Soup soup(jagged, glm::dmat3(1.0), dvec3(0.0));
+    for (int k = 0; k < 50; ++k) {
+      const dvec3 p = random.in_cube(0.7);
+      const auto in = soup.contains(Vec(p));
+      checked += in.has_value();
+      wrong += in && *in != (signed_distance(jagged, p) < 0.0);
+    }
+  }
+  CHECK(checked > 9000);
+  CHECK(wrong == 0);
 }

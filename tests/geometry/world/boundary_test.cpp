@@ -142,3 +142,20 @@ TEST_CASE("resolve: equal media, higher priorities and opaque surfaces") {
   REQUIRE(b.hit.medium_after.value == 11);
   REQUIRE(b.hit.nesting_after[0].value == 2);
 }
+
+TEST_CASE("boundary: a ray along a plane crosses it where it meets what it coincides with") {
+  // The root of a plane that the ray runs along may be anywhere; the far face is at 2.
+  const std::vector<PlacedShape> shapes{glass(1), {Plane{}, {}, {9}, {}, 0}};
+  RayState state{{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, {}, nesting({0})};
+  for (const double root : {0.0, 1.5, 7.0}) {
+    const Hit hit = resolved(shapes, state, {at(0, 2.0, 1e-15, false), at(1, root, 10.0)}).hit;
+    CHECK(hit.shape == ShapeId{1});
+    CHECK(std::abs(hit.t - 2.0) <= 4e-15);
+    CHECK(hit.moved);
+    CHECK(hit.same_side.size() == 2);
+  }
+  // Roots within each other's bounds stay as they are.
+  const Hit close =
+      resolved(shapes, state, {at(0, 2.0, 1e-15, false), at(1, 2.0 + 4e-16, 1e-15)}).hit;
+  CHECK(close.t == 2.0 + 4e-16);
+}

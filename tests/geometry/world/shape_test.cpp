@@ -177,3 +177,43 @@ TEST_CASE("contains: solids hold points, flat shapes none") {
   REQUIRE(is_solid(Box{}));
   REQUIRE_FALSE(is_solid(Square{}));
 }
+
+TEST_CASE("shape: a ray that starts a little in front of a tree's edge goes into the tree") {
+  // It has met the face x = -1 of the first block; by as much as the ray that led there was off, it
+  // lies in front of the face y = -1 of the second one. It leaves where y = 1.
+  const CsgTree both(CsgOperation::intersect, CsgTree(Box{}, Transform()),
+                     CsgTree(Box{}, Transform()));
+  for (const double off : {1e-14, 1e-12, 1e-9, 1e-6}) {
+    const LocalRay ray{{-1.0, -1.0 - off, 0.0}, {0.6, 0.8, 0.0}};
+    const auto next = next_crossing(both, ray, {true, true, {0, 0}, {}});
+    REQUIRE(next);
+    CHECK_FALSE(next->entering);
+    CHECK(std::abs(next->t - (2.0 + off) / 0.8) < 1e-12);
+    CHECK(next->face.face == 3);
+  }
+}
+
+TEST_CASE("shape: a ray that starts a little behind a tree's edge does not come back") {
+  // It leaves by the face x = 1 of the first block, above the second one's face y = 1; its numbers
+  // are a little below.
+  const CsgTree both(
+      CsgOperation::unite,
+      CsgTree(Box{},
+              Transform::translation({0.0, 0.5, 0.0}).after(Transform::scaling({1, 1.5, 1}))),
+      CsgTree(Box{}, Transform::translation({0.5, 0.0, 0.0})));
+  const LocalRay ray{{1.0, 1.0 - 1e-9, 0.0}, {0.6, 0.8, 0.0}};
+  CHECK_FALSE(next_crossing(both, ray, {false, true, {0, 1}, {}}));
+}
+
+TEST_CASE("shape: a ray along a ball's surface leaves by that, not by a face far away") {
+  // The second ball is missed, since the origin is off by more than the depth of the chord.
+  const CsgTree ball(Sphere{}, Transform());
+  const CsgTree lens(CsgOperation::intersect, CsgTree(CsgOperation::intersect, ball, ball),
+                     CsgTree(Box{}, Transform::scaling(dvec3(1.5))));
+  const LocalRay ray{{1.0 + 1e-12, 0.0, 0.0}, {-1e-8, 1.0, 0.0}};
+  const auto next = next_crossing(lens, ray, {true, true, {0, 0}, {}});
+  REQUIRE(next);
+  CHECK_FALSE(next->entering);
+  CHECK(next->t < 1e-6);
+  CHECK(next->face.leaf != 2);
+}
