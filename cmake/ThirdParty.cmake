@@ -17,6 +17,10 @@ find_package(CLI11 CONFIG REQUIRED)
 find_package(nlohmann_json CONFIG REQUIRED)
 find_package(Threads REQUIRED)
 
+# abbe-mpi is built where MPI is found, as by ./abbe mpi, which installs it. Its C interface is used.
+set(MPI_CXX_SKIP_MPICXX ON)
+find_package(MPI QUIET COMPONENTS CXX)
+
 find_path(LCMS2_INCLUDE_DIR lcms2.h REQUIRED)
 find_library(LCMS2_LIBRARY lcms2 REQUIRED)
 add_library(lcms2::lcms2 UNKNOWN IMPORTED)

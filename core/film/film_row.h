@@ -25,7 +25,8 @@ struct FilmRow {
 /// Copies the row at the height y. The vectors of `row` are used again.
 void get_row(const Film& film, int y, FilmRow& row);
 /// Puts the row in the place of what the film holds there. The sizes of its vectors must be those
-/// that `get_row` gives, and the film must hold no ids in that row yet.
+/// that `get_row` gives, and the film must hold no ids in that row yet. A layer whose vectors are
+/// empty keeps what it holds.
 void set_row(Film& film, int y, const FilmRow& row);
 
 } // namespace abbe

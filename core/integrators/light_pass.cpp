@@ -67,6 +67,10 @@ std::size_t step_of_turns(std::size_t chunks) {
 
 } // namespace
 
+double light_passes_in_film(const LightPassState& state) {
+  return state.passes == 0 ? 0.0 : state.passes - 1 + part_in_film(state);
+}
+
 LightPasses::LightPasses(const Scene& scene, const Plan& plan, const World& world,
                          const PlacedCamera* camera)
     : plan_(plan), world_(world), camera_(camera),
@@ -108,7 +112,7 @@ bool LightPasses::find_first_radius(LightPassState& state, const IsOver& is_over
   std::ranges::fill(first.chunks, ChunkSplats::elsewhere);
   Film nowhere({}, {});
   const Followed followed =
-      follow_chunks(paths_of(first.samples), first, nowhere, is_over, nullptr);
+      follow_chunks(paths_of(first.samples), Which::that_fill_the_map, first, {nowhere, is_over});
   if (followed.all) state.first_radius = first_photon_radius(followed.batches, largest_radius_);
   return followed.all;
 }
@@ -128,26 +132,30 @@ bool LightPasses::follow(LightPaths& walker, const Chunk& chunk, const Paths& pa
   return true;
 }
 
-LightPasses::Followed LightPasses::follow_chunks(const Paths& paths, LightPassState& state,
-                                                 Film& film, const IsOver& is_over,
-                                                 RayRecord* record) const {
+LightPasses::Followed LightPasses::follow_chunks(const Paths& paths, Which which,
+                                                 LightPassState& state, const Run& run) const {
   const std::size_t count = paths.chunks.size(), step = step_of_turns(count);
   Film nowhere({}, {}); // it has no pixels, so that splats fall beside it
+  const bool maps = which == Which::that_fill_the_map;
   Followed result{std::vector<PhotonBatch>(count), {}, false};
   std::vector<RayCounts> counts(count);
   std::atomic<std::size_t> followed = 0;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1), [&](const auto& range) {
     const DenormalsOff denormals_off;
     std::optional<LightPaths> with_splats, without; // made once they are needed
-    for (std::size_t turn = range.begin(); turn < range.end() && !is_over(); ++turn) {
+    for (std::size_t turn = range.begin(); turn < range.end() && !run.is_over(); ++turn) {
       const std::size_t c = turn * step % count;
-      const bool known = state.chunks[c] != ChunkSplats::missing;
+      const bool known = state.chunks[c] != ChunkSplats::missing || !run.share.has(c);
       Chunk chunk = paths.chunks[c];
       if (known) chunk.last = std::min(chunk.last, paths.mapped[chunk.light]);
-      counts[c].record = record;
+      if ((chunk.first < paths.mapped[chunk.light]) != maps || chunk.first >= chunk.last) {
+        ++followed;
+        continue;
+      }
+      counts[c].record = run.record;
       std::optional<LightPaths>& walker = known ? without : with_splats;
-      if (!walker) walker.emplace(plan_, world_, emission_, camera_, known ? nowhere : film);
-      walker->end_with(is_over);
+      if (!walker) walker.emplace(plan_, world_, emission_, camera_, known ? nowhere : run.film);
+      walker->end_with(run.is_over);
       const Found found{result.batches[c], counts[c]};
       if (!follow(*walker, chunk, paths, state.begun[chunk.light], found)) {
         walker->drop_splats();
@@ -168,21 +176,36 @@ LightPasses::Followed LightPasses::follow_chunks(const Paths& paths, LightPassSt
   return result;
 }
 
-RayCounts LightPasses::run(LightPassState& state, Film& film, const IsOver& is_over,
-                           RayRecord* record) {
-  if (mapped_pass_ == state.passes) return {};
-  const auto begin = std::chrono::steady_clock::now();
-  if (state.passes > 1 && !(state.first_radius > 0.0) && !find_first_radius(state, is_over))
-    return {};
+LightPasses::Followed LightPasses::follow_and_count(const Paths& paths, Which which,
+                                                    LightPassState& state, const Run& run) const {
   const double before = part_in_film(state);
-  Followed followed = follow_chunks(paths_of(state.samples), state, film, is_over, record);
-  film.add_light_passes(part_in_film(state) - before);
+  Followed followed = follow_chunks(paths, which, state, run);
+  if (run.share.count == 1) run.film.add_light_passes(part_in_film(state) - before);
+  return followed;
+}
+
+RayCounts LightPasses::fill_map(LightPassState& state, const Run& run) {
+  if (has_map(state)) return {};
+  const auto begin = std::chrono::steady_clock::now();
+  if (state.passes > 1 && !(state.first_radius > 0.0) && !find_first_radius(state, run.is_over))
+    return {};
+  Followed followed =
+      follow_and_count(paths_of(state.samples), Which::that_fill_the_map, state, run);
   if (followed.all) {
     if (!(state.first_radius > 0.0))
       state.first_radius = first_photon_radius(followed.batches, largest_radius_);
     map_.build(followed.batches, photon_radius(state.first_radius, state.passes - 1));
     mapped_pass_ = state.passes;
   }
+  seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return followed.rays;
+}
+
+RayCounts LightPasses::add_splats(LightPassState& state, const Run& run) {
+  if (std::ranges::find(state.chunks, ChunkSplats::missing) == state.chunks.end()) return {};
+  const auto begin = std::chrono::steady_clock::now();
+  const Followed followed =
+      follow_and_count(paths_of(state.samples), Which::that_only_splat, state, run);
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return followed.rays;
 }

@@ -35,6 +35,18 @@ struct LightPassState {
   RenderPart part = {}; ///< light paths that only splat are divided as camera samples are
 };
 
+/// The light passes whose splats are in the film of a rendering that is no part, counted as the
+/// film counts them.
+[[nodiscard]] double light_passes_in_film(const LightPassState& state);
+
+/// Of `count` films into which a light pass is divided, the one of this number gets the splats of
+/// each chunk with that remainder. Photons are in the maps of all.
+struct ChunkShare {
+  std::size_t number = 0, count = 1;
+
+  [[nodiscard]] bool has(std::size_t chunk) const { return chunk % count == number; }
+};
+
 /// Light-side passes of a rendering: before each pass of camera samples as many light paths are
 /// followed as the plan says; they add splats to the film and fill the photon map anew.
 class LightPasses {
@@ -52,11 +64,27 @@ public:
 
   /// Ends the current pass, if there is one, and begins the next, for these camera samples.
   void begin(LightPassState& state, SampleRange samples) const;
-  /// Runs the current pass within the current task arena, unless the map holds its photons already.
-  /// Splats that the film has already, because an earlier run was stopped or its map is gone, are
-  /// not added again, and the rays that led to them not counted again. Where `is_over` says so, the
-  /// run ends soon, also within a path; then the map does not hold the pass.
-  RayCounts run(LightPassState& state, Film& film, const IsOver& is_over, RayRecord* record);
+  // Splats that the film has already, because an earlier run was stopped or its map is gone, are
+  // not added again, and the rays that led to them not counted again. Where `is_over` says so, a
+  // run ends soon, also within a path. Where splats are shared among films, the passes of this one
+  // are not counted. To be called within a task arena.
+
+  /// What runs have in common.
+  struct Run {
+    Film& film;
+    const IsOver& is_over;
+    RayRecord* record = nullptr;
+    ChunkShare share = {};
+  };
+  /// Follows the current pass's paths that fill the map, unless the map holds their photons
+  /// already. When it is stopped the map does not hold the pass.
+  RayCounts fill_map(LightPassState& state, const Run& run);
+  /// Follows its paths that are splatted and nothing else, which camera paths need not wait for.
+  RayCounts add_splats(LightPassState& state, const Run& run);
+  /// True when the map holds the photons of the current pass.
+  [[nodiscard]] bool has_map(const LightPassState& state) const {
+    return mapped_pass_ == state.passes;
+  }
 
 private:
   /// Finds the radius of the first pass's photon map for a part of the rendering that begins after
@@ -90,8 +118,13 @@ private:
     RayCounts rays;
     bool all; ///< none was left out by a stop
   };
-  [[nodiscard]] Followed follow_chunks(const Paths& paths, LightPassState& state, Film& film,
-                                       const IsOver& is_over, RayRecord* record) const;
+  /// Which of the paths a run follows.
+  enum class Which { that_fill_the_map, that_only_splat };
+  [[nodiscard]] Followed follow_chunks(const Paths& paths, Which which, LightPassState& state,
+                                       const Run& run) const;
+  /// The same, and counts the passes of the film.
+  [[nodiscard]] Followed follow_and_count(const Paths& paths, Which which, LightPassState& state,
+                                          const Run& run) const;
 
   const Plan& plan_;
   const World& world_;

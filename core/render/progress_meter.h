@@ -20,8 +20,12 @@ public:
   /// Counts rays that are no camera sample's work.
   void add(const RayCounts& rays);
 
+  /// Tells that light paths are followed. Any number of threads may call it at once, and often.
+  void follow_light();
+
   [[nodiscard]] double seconds() const;
-  [[nodiscard]] const RayCounts& rays() const { return rays_; }
+  /// The rays that were counted since it was asked for them before.
+  [[nodiscard]] RayCounts take_rays();
 
 private:
   const ProgressCallback& callback_;
@@ -30,7 +34,8 @@ private:
   double fraction_ = 0.0;
   double told_ = 0.0; ///< when
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  RayCounts rays_;
+  RayCounts rays_;  ///< all
+  RayCounts since_; ///< since they were taken
   std::mutex mutex_;
 };
 

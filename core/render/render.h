@@ -9,11 +9,14 @@
 
 namespace abbe {
 
+struct Peers;
+
 /// How far a rendering has come.
 struct RenderProgress {
   double fraction = 0.0; ///< of the samples that were asked for
   double seconds = 0.0;  ///< since the start
   RayCounts rays;
+  bool light_paths = false; ///< light paths are followed now, and no camera samples taken
 };
 
 /// Called now and then by one of the rendering threads, never by two at once.
@@ -25,7 +28,11 @@ struct RenderControl {
   const std::atomic<bool>* stop = nullptr; ///< set from anywhere, it ends the rendering soon
   /// The rendering is stopped when it has taken camera samples for so many seconds; 0: never.
   double pause_after = 0.0;
-  RayRecord* record = nullptr; ///< for measurements, gets all rays; needs settings with one thread
+  /// Where there is one it is called then, with the state after whole samples, and the rendering
+  /// goes on behind it.
+  std::function<void()> pause = {};
+  RayRecord* record = nullptr;  ///< for measurements, gets all rays; needs settings with one thread
+  const Peers* peers = nullptr; ///< who renders with this process; null: it is alone
 };
 
 /// Renders samples into the state, and returns false when it was stopped before they were done. A
@@ -39,6 +46,11 @@ struct RenderControl {
 /// Rendering one range after the other gives the bytes of rendering them at once. With adaptive
 /// sampling or a noise target a range goes on to the end of the pass in which it ends. After a stop
 /// the state holds whole samples, and the same range, or a longer one, takes up the rest.
+///
+/// With peers all of them render the same range of a rendering that is no part and has no time
+/// limit, and each takes its share of each pass. One that is stopped stops the others soon. Then
+/// the states of all are the same but for their films, which are the whole together (`add_up_row`),
+/// and the counts of rays, which the first has for all.
 bool render(const Scene& scene, const Plan& plan, const World& world, SampleRange range,
             RenderState& state, const RenderControl& control = {});
 

@@ -37,11 +37,19 @@ struct RenderState {
   LightPassState light = {};
 
   // Adaptive sampling.
-  int round_end = 0;                          ///< where the current round ends
-  std::vector<float> shares = {};             ///< by the first round; empty before its end
+  bool planned = false;           ///< the shares were known before: no sample decides on others
+  int round_end = 0;              ///< where the current round ends
+  std::vector<float> shares = {}; ///< by the first round; empty before its end
   std::vector<std::uint32_t> allocation = {}; ///< what each pixel shall have then; empty: the same
   std::vector<std::uint32_t> pixel_rays = {}; ///< how many rays each pixel has taken so far
 };
+
+/// Gives a rendering that has not begun the shares by which its samples are spread, of `samples` a
+/// pixel in the mean. Then no sample decides on others, and it can be rendered in parts.
+void spread_samples(RenderState& state, std::vector<float> shares, int samples);
+
+/// A copy whose film keeps the sums of bands where `place` says. Errors: those of FileBackedSums.
+[[nodiscard]] RenderState copy_of(const RenderState& state, const BandPlace& place);
 
 /// A rendering that has not begun. Its film keeps the sums of all bands where `bands` says where
 /// to, and errors where the settings need them. Of a part, `render` takes the samples of that part

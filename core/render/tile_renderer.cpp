@@ -47,6 +47,12 @@ TileRenderer::TileRenderer(const RenderContext& context, Film& film,
 SampleRange PassSamples::of(const Film& film, int x, int y, int already) const {
   if (allocation_.empty()) return all_;
   const auto wanted = static_cast<int>(allocation_[film.window().index(x, y)]);
+  if (mean_ > 0) {
+    const auto border = [&](std::int64_t sample) {
+      return static_cast<int>((sample * wanted + mean_ - 1) / mean_);
+    };
+    return {border(all_.first), border(all_.last)};
+  }
   const int has = static_cast<int>(film.samples(x, y)) - already;
   return {has, has + (std::max(wanted - has, 0) + passes_left_ - 1) / passes_left_};
 }

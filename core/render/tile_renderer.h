@@ -46,6 +46,10 @@ public:
   /// `passes_left` passes that take equal parts. Keeps a reference.
   PassSamples(std::span<const std::uint32_t> allocation, int passes_left)
       : allocation_(allocation), passes_left_(passes_left) {}
+  /// Of pixels that get numbers of their own, from the first to the last, the samples that are to
+  /// all of them as the range is to `mean` samples. Keeps a reference.
+  PassSamples(std::span<const std::uint32_t> allocation, SampleRange range, int mean)
+      : all_(range), allocation_(allocation), mean_(mean) {}
 
   /// Those of a pixel of which so many are in the film already.
   [[nodiscard]] SampleRange of(const Film& film, int x, int y, int already = 0) const;
@@ -54,6 +58,7 @@ private:
   SampleRange all_;
   std::span<const std::uint32_t> allocation_; ///< empty for `all_`
   int passes_left_ = 1;
+  int mean_ = 0; ///< 0: the samples depend on what pixels have
 };
 
 /// How far a pass of a tile has come.

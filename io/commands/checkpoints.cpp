@@ -1,28 +1,85 @@
 #include "io/commands/checkpoints.h"
 
+#include "core/render/memory_need.h"
+#include "core/render/peer_sums.h"
 #include "io/console/progress.h"
 #include "io/console/terminal.h"
+#include "io/files/available_memory.h"
 #include "io/states/write_state.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <stdexcept>
+#include <thread>
 
 namespace abbe {
 namespace {
 
-/// Keeps the state. False where that failed, which is told.
-bool keep(const Checkpoints& checkpoints, const StateInfo& info, const RenderState& state) {
-  if (!checkpoints.file) return true;
+/// Writes the state by `write`. False where that failed, which is told.
+template <class Write>
+bool keep(const Write& write) {
   try {
-    write_state(*checkpoints.file, info, state);
+    write();
     return true;
   } catch (const std::runtime_error& error) {
     say_warning(fmt::format("{}; what was kept before is still there", error.what()));
     return false;
   }
 }
+
+/// Keeps the state of all peers. False where that failed, which is told.
+bool keep_of_all(const std::filesystem::path& file, const RenderJob& job,
+                 const RenderState& state) {
+  int next = state.film.window().y0;
+  const auto rows = [&](int y, FilmRow& row) {
+    add_up_row(state.film, y, job.peers, row);
+    next = y + 1;
+  };
+  const bool kept =
+      !job.peers.is_first() || keep([&] { write_state(file, job.info, state, rows); });
+  // The others give the first all rows, and the first takes them, also where it could not write.
+  FilmRow row;
+  while (!job.peers.alone() && next < state.film.window().y1)
+    rows(next, row);
+  return kept;
+}
+
+/// Writes states while the rendering goes on, one at a time.
+class WriterBehind {
+public:
+  WriterBehind(const std::filesystem::path& file, const RenderJob& job) : file_(file), job_(job) {}
+
+  /// Copies the state and begins to write it, unless the one before is not written yet. Writes it
+  /// at once where a copy would take more than half of the memory that is left.
+  void keep_soon(const RenderState& state, const BandPlace& place) {
+    if (busy_) return;
+    if (!job_.peers.alone() ||
+        memory_need(job_.scene, job_.plan, bands_of(state, place)) > available_memory() / 2) {
+      keep_of_all(file_, job_, state);
+      return;
+    }
+    wait();
+    busy_ = true;
+    thread_ = std::jthread([this, copy = copy_of(state, place)] {
+      keep([&] { write_state(file_, job_.info, copy); });
+      busy_ = false;
+    });
+  }
+  /// Waits for the one that is being written.
+  void wait() {
+    if (thread_.joinable()) thread_.join();
+  }
+
+private:
+  static std::optional<BandPlace> bands_of(const RenderState& state, const BandPlace& place) {
+    return state.film.bands() > 0 ? std::optional(place) : std::nullopt;
+  }
+  const std::filesystem::path& file_;
+  const RenderJob& job_;
+  std::atomic<bool> busy_ = false;
+  std::jthread thread_;
+};
 
 /// How far a rendering has come in all that came this far before it was taken up again.
 RenderProgress in_all(RenderProgress now, const RenderProgress& before) {
@@ -39,26 +96,25 @@ CheckpointedRender render_with_checkpoints(const RenderJob& job, SampleRange ran
                                            const std::atomic<bool>& stop, bool quiet) {
   Progress progress(quiet);
   const double length = range.last - range.first;
-  RenderProgress before{.fraction = std::max(state.done - range.first, 0) / length,
-                        .seconds = state.seconds,
-                        .rays = state.rays};
+  const RenderProgress before{.fraction = std::max(state.done - range.first, 0) / length,
+                              .seconds = state.seconds,
+                              .rays = state.rays};
+  const auto tell = [&](const RenderProgress& now) { progress.tell(in_all(now, before)); };
+  RenderControl control{.progress = tell, .stop = &stop, .peers = &job.peers};
   CheckpointedRender result;
-  for (;;) {
-    RenderProgress last = before;
-    const auto tell = [&](const RenderProgress& now) {
-      last = in_all(now, before);
-      progress.tell(last);
-    };
-    result.complete = render(job.scene, job.plan, job.world, range, state,
-                             {.progress = tell,
-                              .stop = &stop,
-                              .pause_after = checkpoints.file ? checkpoints.every_seconds : 0.0});
-    const bool ended = result.complete || stop;
-    if (ended) progress.finish();
-    result.kept = keep(checkpoints, job.info, state);
-    if (ended) return result;
-    before = {.fraction = last.fraction, .seconds = state.seconds, .rays = state.rays};
+  if (!checkpoints.file) {
+    result.complete = render(job.scene, job.plan, job.world, range, state, control);
+    progress.finish();
+    return result;
   }
+  WriterBehind writer(*checkpoints.file, job);
+  control.pause_after = checkpoints.every_seconds;
+  control.pause = [&] { writer.keep_soon(state, checkpoints.place); };
+  result.complete = render(job.scene, job.plan, job.world, range, state, control);
+  progress.finish();
+  writer.wait();
+  result.kept = keep_of_all(*checkpoints.file, job, state);
+  return result;
 }
 
 } // namespace abbe

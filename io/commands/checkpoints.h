@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/render/peers.h"
 #include "core/render/render.h"
 #include "io/states/state_info.h"
 
@@ -13,6 +14,7 @@ namespace abbe {
 struct Checkpoints {
   std::optional<std::filesystem::path> file; ///< empty: nowhere
   double every_seconds = 600.0;
+  BandPlace place = {}; ///< where copies of bands go
 };
 
 /// A scene that is ready to be rendered. Keeps references.
@@ -21,6 +23,7 @@ struct RenderJob {
   const Plan& plan;
   const World& world;
   const StateInfo& info;
+  const Peers& peers;
 };
 
 /// What became of it.
@@ -30,8 +33,10 @@ struct CheckpointedRender {
 };
 
 /// Renders the range of samples as `render` does, and keeps the state now and then and at the end,
-/// however it ends. While it is written nothing is rendered. Where that fails the user is warned,
-/// the file keeps the state before, and the rendering goes on.
+/// however it ends. Where memory allows, a copy of it is written while the rendering goes on, and
+/// else, and with peers, the rendering waits. Where it cannot be written the user is warned, the
+/// file keeps the state before, and the rendering goes on. Of peers the first keeps the state of
+/// all.
 [[nodiscard]] CheckpointedRender render_with_checkpoints(const RenderJob& job, SampleRange range,
                                                          RenderState& state,
                                                          const Checkpoints& checkpoints,

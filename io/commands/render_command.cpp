@@ -3,11 +3,13 @@
 #include "core/image/develop.h"
 #include "core/planning/plan_extent.h"
 #include "core/render/memory_need.h"
+#include "core/render/peer_sums.h"
 #include "core/render/render.h"
 #include "core/render/worker_limit.h"
 #include "io/commands/check_memory.h"
 #include "io/commands/checkpoints.h"
 #include "io/commands/kept_state.h"
+#include "io/commands/pilot.h"
 #include "io/commands/scene_request.h"
 #include "io/commands/setting_options.h"
 #include "io/console/exit_codes.h"
@@ -44,6 +46,11 @@ void add_memory_limit(CLI::App& app, std::optional<double>& limit_gib) {
 }
 
 Outputs outputs_of(const RenderCommand& command, const Scene& scene, const RenderPart& part) {
+  if (command.states.plan_out) {
+    if (!command.outputs.empty() || command.spectral_output)
+      throw UserError("--plan-out writes a plan and no picture. Leave out -o and --spectral");
+    return {{}, {}, command.states.plan_out};
+  }
   if (!part.is_whole()) {
     if (command.outputs.size() != 1)
       throw UserError("a part goes into one file. Name it with -o, such as -o part3.state");
@@ -144,13 +151,26 @@ std::optional<BandPlace> bands_of(const RenderCommand& command, const Request& r
   return band_place(command.spectral_output.value_or(std::filesystem::path()));
 }
 
+/// What the command line says that peers cannot do is refused.
+void check_peers(const Peers& peers, const RenderCommand& command, const Request& request) {
+  if (peers.alone()) return;
+  if (!request.part.is_whole())
+    throw UserError("--part and MPI exclude each other: its ranks divide the work already. Leave "
+                    "out --part");
+  if (request.scene.settings.seconds > 0.0)
+    throw UserError("--time and MPI exclude each other: ranks have clocks of their own. Give the "
+                    "samples by --spp");
+  if (command.states.plan_out)
+    throw UserError("--plan-out makes a plan by one process. Use abbe without MPI");
+}
+
 RenderState begin(const RenderCommand& command, Request& request, const Plan& plan,
-                  const std::optional<BandPlace>& bands) {
+                  const std::optional<BandPlace>& bands, const Peers& peers) {
   const Scene& scene = request.scene.scene;
   if (!request.resumed) return begin_rendering(scene, plan, bands, request.part);
   const std::filesystem::path& file = *command.states.resume;
   check_plan(file, *request.resumed, scene, plan);
-  RenderState state = request.resumed->read(bands.value_or(BandPlace{}));
+  RenderState state = request.resumed->read_share(bands.value_or(BandPlace{}), plan, peers);
   if (!command.quiet) say(resume_note(file, request.resumed->info(), state, plan));
   return state;
 }
@@ -167,29 +187,50 @@ void tell_state(const Outputs& outputs, const CheckpointedRender& done, bool qui
 } // namespace
 
 int run(const RenderCommand& command) {
+  return run(command, {});
+}
+
+int run(const RenderCommand& command, const Peers& peers) {
   outlive_readers();
   const std::atomic<bool>& stop = interrupted();
   Request request = read_request(command);
   const Scene& scene = request.scene.scene;
+  check_peers(peers, command, request);
   const Outputs outputs = outputs_of(command, scene, request.part);
-  check_outputs(outputs, request.inputs);
+  if (peers.is_first()) check_outputs(outputs, request.inputs);
   warn_of_outputs(command.given, outputs, command.output, say_warning);
   check_memory(least_memory_need(request.scene.settings), command.memory_limit_gib);
   const Workers workers = limit_workers(request.scene.settings.threads);
   const Plan plan = plan_of(request.scene, with_allowed_threads(request.scene.settings, workers));
-  check_part(request.part, plan.settings);
+  check_plan_options(command.states, plan.settings);
+  check_part(request.part, plan.settings,
+             command.states.plan_in || (request.resumed && is_planned(request.resumed->info())));
   const std::optional<BandPlace> bands = bands_of(command, request);
   check_memory(memory_need(scene, plan, bands), command.memory_limit_gib);
   if (!command.quiet) tell_plan(plan);
-  RenderState state = begin(command, request, plan, bands);
-  const World world(scene.shapes, farthest_coordinate(scene));
-
   StateInfo info; // the checksums in it take time, so it is there where a state is kept
   if (outputs.state) info = info_of(request.scene_path, request.inputs, plan, request.part);
+  if (command.states.plan_out)
+    return write_pilot(*outputs.state, scene, plan, info, stop, command.quiet) ? 0
+                                                                               : kExitInterrupted;
+  RenderState state = begin(command, request, plan, bands, peers);
+  if (command.states.plan_in) {
+    Spread spread = read_spread(*command.states.plan_in, plan, request.inputs);
+    spread_samples(state, std::move(spread.shares), plan.settings.samples_per_pixel);
+    info.settings.push_back(std::move(spread.setting));
+  }
+  if (request.resumed && is_planned(request.resumed->info()))
+    info.settings = request.resumed->info().settings;
+  const World world(scene.shapes, farthest_coordinate(scene));
+  if (!peers.all(true)) return kPeerFailed;
+
   const SampleRange range = samples_of(request.part, plan.settings.samples_per_pixel);
-  const CheckpointedRender done =
-      render_with_checkpoints({scene, plan, world, info}, range, state,
-                              {outputs.state, command.states.every_seconds}, stop, command.quiet);
+  const CheckpointedRender done = render_with_checkpoints(
+      {scene, plan, world, info, peers}, range, state,
+      {outputs.state, command.states.every_seconds, bands.value_or(BandPlace{})}, stop,
+      command.quiet);
+  add_up_film(state.film, peers);
+  if (!peers.is_first()) return done.complete ? 0 : kExitInterrupted;
   const Rendering rendering = end_rendering(std::move(state), plan, done.complete);
   if (!command.quiet) say(summary(rendering));
   tell_state(outputs, done, command.quiet);

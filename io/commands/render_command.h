@@ -16,6 +16,8 @@ class App;
 
 namespace abbe {
 
+struct Peers;
+
 /// Renders a scene into images.
 struct RenderCommand {
   static constexpr const char* kName = "render";
@@ -36,5 +38,10 @@ struct RenderCommand {
 };
 void add_options(CLI::App& app, RenderCommand& command);
 [[nodiscard]] int run(const RenderCommand& command);
+/// The same with peers, of which the first writes all files. Once all is prepared the peers meet,
+/// by `Peers::all`; where one of them has met with an error instead, the others return
+/// `kPeerFailed`.
+[[nodiscard]] int run(const RenderCommand& command, const Peers& peers);
+inline constexpr int kPeerFailed = -1;
 
 } // namespace abbe

@@ -74,6 +74,11 @@ void add_state_options(CLI::App& app, StateOptions& options) {
          },
          "Render one of several parts of the samples into the state -o, for abbe merge")
       ->type_name("K/N");
+  app.add_option("--plan-out", options.plan_out,
+                 "Only plan where samples go, for parts with adaptive sampling")
+      ->type_name("FILE");
+  app.add_option("--plan-in", options.plan_in, "Spread samples as --plan-out has planned")
+      ->type_name("FILE");
 }
 
 RenderPart part_of(const StateOptions& options, const StateReader* resumed) {
@@ -85,7 +90,32 @@ RenderPart part_of(const StateOptions& options, const StateReader* resumed) {
   return part;
 }
 
-void check_part(const RenderPart& part, const RenderSettings& settings) {
+void check_plan_options(const StateOptions& options, const RenderSettings& settings) {
+  if (!options.plan_out && !options.plan_in) return;
+  const std::string name = options.plan_out ? "--plan-out" : "--plan-in";
+  if (options.plan_out && options.plan_in)
+    throw UserError("--plan-out and --plan-in exclude each other: a plan is made once, and read by "
+                    "each part");
+  if (settings.noise > 0.0)
+    throw UserError(name + " and --noise exclude each other: with a noise target each tile ends by "
+                           "its own samples. Leave out one of them");
+  if (settings.seconds > 0.0)
+    throw UserError(name + " and --time exclude each other: a plan spreads a known number of "
+                           "samples. Give it by --spp");
+  if (settings.adaptive == AdaptiveSampling::off)
+    throw UserError(name +
+                    " needs adaptive sampling, which is off here. Add --adaptive on, or "
+                    "leave out " +
+                    name);
+  if (options.resume)
+    throw UserError(name + " and --resume exclude each other: a state knows its plan. Leave out " +
+                    name);
+  if (options.plan_out && (options.part || options.checkpoint))
+    throw UserError("--plan-out renders a few samples to plan with, and neither a part nor a "
+                    "state. Give --part or --checkpoint with --plan-in, in the next call");
+}
+
+void check_part(const RenderPart& part, const RenderSettings& settings, bool spread) {
   if (part.is_whole()) return;
   if (settings.noise > 0.0)
     throw UserError("--part and --noise exclude each other: a tile is done when all its samples "
@@ -93,10 +123,10 @@ void check_part(const RenderPart& part, const RenderSettings& settings) {
   if (settings.seconds > 0.0)
     throw UserError("--part and --time exclude each other: parts must end at the samples where the "
                     "next ones begin. Leave out --time");
-  if (settings.adaptive == AdaptiveSampling::on)
+  if (settings.adaptive == AdaptiveSampling::on && !spread)
     throw UserError("--part needs the same number of samples for all pixels: what adaptive "
                     "sampling gives a pixel depends on the samples of all parts. Add --adaptive "
-                    "off");
+                    "off, or --plan-in with the plan that --plan-out writes");
   if (part.count > settings.samples_per_pixel)
     throw UserError(fmt::format("{} samples a pixel cannot be divided into {} parts. Take more "
                                 "samples or fewer parts",
@@ -113,6 +143,10 @@ RenderSettings resumed_settings(const fs::path& file, const StateInfo& info,
     throw UserError(fmt::format("{}: this state is of {} samples a pixel, and there is no way back "
                                 "to {}",
                                 file.string(), info.samples, samples));
+  if (samples > info.samples && is_planned(info))
+    throw UserError(fmt::format("{}: a plan has spread {} samples a pixel, and more cannot be "
+                                "added. Leave out --spp",
+                                file.string(), info.samples));
   if (samples > info.samples && !info.part.is_whole())
     throw UserError(fmt::format("{}: a part gets the samples that it was begun for, {} a pixel in "
                                 "all. Merge the parts, or leave out --spp",

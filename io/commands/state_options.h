@@ -20,6 +20,8 @@ struct StateOptions {
   std::optional<std::filesystem::path> checkpoint, resume;
   double every_seconds = 600.0; ///< a state is kept
   std::optional<RenderPart> part;
+  /// Where the plan goes of how samples are spread, and where it comes from.
+  std::optional<std::filesystem::path> plan_out, plan_in;
 };
 void add_state_options(CLI::App& app, StateOptions& options);
 
@@ -27,8 +29,12 @@ void add_state_options(CLI::App& app, StateOptions& options);
 /// goes on, else all. Throws UserError where these differ.
 [[nodiscard]] RenderPart part_of(const StateOptions& options, const StateReader* resumed);
 
-/// Throws UserError for a plan that cannot be rendered in parts.
-void check_part(const RenderPart& part, const RenderSettings& settings);
+/// Throws UserError for a plan that cannot be rendered in parts. `spread`: a plan file tells where
+/// samples go.
+void check_part(const RenderPart& part, const RenderSettings& settings, bool spread);
+
+/// Throws UserError where a plan file does not go with what else is asked for.
+void check_plan_options(const StateOptions& options, const RenderSettings& settings);
 
 /// The settings with which a rendering goes on: the state's, but more samples where they are
 /// `given`. Throws UserError for fewer samples.

@@ -27,8 +27,9 @@ double million_per_second(std::uint64_t rays, double seconds) {
 
 std::string text(const RenderProgress& p) {
   const double left = p.fraction > 0.0 ? p.seconds * (1.0 - p.fraction) / p.fraction : 0.0;
-  return fmt::format("{:3.0f} %  elapsed {}  left {}  {:.2f} Mray/s", 100.0 * p.fraction,
-                     clock(p.seconds), clock(left), million_per_second(p.rays.total(), p.seconds));
+  return fmt::format("{:3.0f} %  elapsed {}  left {}  {:.2f} Mray/s{}", 100.0 * p.fraction,
+                     clock(p.seconds), clock(left), million_per_second(p.rays.total(), p.seconds),
+                     p.light_paths ? "  light paths" : "");
 }
 
 double peak_memory_mib() {

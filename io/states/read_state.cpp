@@ -1,6 +1,8 @@
 #include "io/states/read_state.h"
 
 #include "core/film/film_row.h"
+#include "core/render/peer_sums.h"
+#include "io/states/info_bytes.h"
 #include "io/states/value_bytes.h"
 #include "io/text/read_error.h"
 #include "spectral/band_grid.h"
@@ -12,11 +14,6 @@
 
 namespace abbe {
 namespace {
-
-/// A value out of its range in a file that has not been damaged.
-void require(bool holds, const char* what) {
-  if (!holds) throw std::runtime_error(std::string(what) + " is out of its range");
-}
 
 template <class Choice>
 Choice choice(std::uint8_t number, Choice last) {
@@ -96,33 +93,14 @@ bool StateReader::complete() const {
 
 void StateReader::read_info(const std::string& content) {
   ValueReader in(content);
-  info_.version = in.text();
-  info_.build = in.get<std::uint32_t>();
-  info_.scene = in.text();
-  info_.files.resize(in.length(1));
-  for (SceneFile& file : info_.files) {
-    file.path = in.text();
-    file.size = in.get<std::uint64_t>();
-    file.checksum = in.get<std::uint32_t>();
-  }
-  info_.settings.resize(in.length(1));
-  for (auto& [option, value] : info_.settings) {
-    option = in.text();
-    value = in.text();
-  }
-  info_.samples = in.get<std::int32_t>();
-  info_.part.number = in.get<std::int32_t>();
-  info_.part.count = in.get<std::int32_t>();
+  info_ = get_info(in);
   in.end();
-  require(info_.samples > 0, "the number of samples");
-  require(info_.part.number >= 0 && info_.part.number < info_.part.count &&
-              info_.part.count <= info_.samples,
-          "the number of the part");
 }
 
 void StateReader::read_progress(const std::string& content) {
   ValueReader in(content);
   RenderState& state = progress_;
+  state.planned = is_planned(info_);
   state.done = in.get<std::int32_t>();
   state.round_end = in.get<std::int32_t>();
   state.seconds = in.get<double>();
@@ -195,11 +173,28 @@ void StateReader::read_row(FilmRow& row) {
 }
 
 RenderState StateReader::read(const BandPlace& place) {
+  return read(place, [](int, FilmRow&) {});
+}
+
+RenderState StateReader::read_share(const BandPlace& place, const Plan& plan, const Peers& peers) {
+  if (peers.alone()) return read(place);
+  RenderState state =
+      read(place, [&](int y, FilmRow& row) { keep_own(row, y, plan, layers_, peers); });
+  if (peers.is_first()) return state;
+  state.film.add_refused({0 - refused_.not_finite, 0 - refused_.negative, 0 - refused_.overflow});
+  state.rays = {};
+  std::ranges::fill(state.pixel_rays, 0U);
+  return state;
+}
+
+RenderState StateReader::read(const BandPlace& place,
+                              const std::function<void(int, FilmRow&)>& change) {
   RenderState state = std::move(progress_);
   state.film = Film(window_, layers_, place);
   FilmRow row;
   for (int y = window_.y0; y < window_.y1; ++y) {
     read_row(row);
+    change(y, row);
     set_row(state.film, y, row);
   }
   blocks_.end();

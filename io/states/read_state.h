@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/render/peers.h"
 #include "core/render/render_state.h"
 #include "io/states/block_file.h"
 #include "io/states/state_info.h"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,9 @@ public:
 
   /// Reads the rest, once. The sums of all bands are kept where `place` says.
   [[nodiscard]] RenderState read(const BandPlace& place);
+  /// The same, but of the film only what belongs to one of several peers.
+  [[nodiscard]] RenderState read_share(const BandPlace& place, const Plan& plan,
+                                       const Peers& peers);
   /// Reads the rest only to see that it is not damaged.
   void check();
 
@@ -41,6 +46,8 @@ private:
   void read_progress(const std::string& content);
   void read_film_form(const std::string& content);
   void read_row(FilmRow& row);
+  [[nodiscard]] RenderState read(const BandPlace& place,
+                                 const std::function<void(int, FilmRow&)>& change);
 
   BlockReader blocks_;
   StateInfo info_;

@@ -2,6 +2,7 @@
 
 #include "io/files/checksum.h"
 
+#include <algorithm>
 #include <fstream>
 #include <stdexcept>
 
@@ -38,6 +39,10 @@ std::vector<SceneFile> scene_files(std::span<const fs::path> files) {
   for (const fs::path& file : files)
     result.push_back(identified(file));
   return result;
+}
+
+bool is_planned(const StateInfo& info) {
+  return std::ranges::any_of(info.settings, [](const auto& s) { return s.first == kPlanOption; });
 }
 
 std::string program_version() {

@@ -35,6 +35,10 @@ struct StateInfo {
   RenderPart part;
 };
 
+/// True where samples are spread by a plan that was made before (`kPlanOption` tells which).
+inline constexpr const char* kPlanOption = "--plan-in";
+[[nodiscard]] bool is_planned(const StateInfo& info);
+
 /// This program's version, and the checksum of its own file; 0 where it cannot be read.
 [[nodiscard]] std::string program_version();
 [[nodiscard]] std::uint32_t build_checksum();

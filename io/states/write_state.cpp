@@ -3,32 +3,11 @@
 #include "core/film/film_row.h"
 #include "io/files/atomic_file.h"
 #include "io/states/block_file.h"
+#include "io/states/info_bytes.h"
 #include "io/states/value_bytes.h"
 
 namespace abbe {
 namespace {
-
-std::string info_bytes(const StateInfo& info) {
-  ValueWriter out;
-  out.put(info.version);
-  out.put(info.build);
-  out.put(info.scene.string());
-  out.put(std::uint64_t{info.files.size()});
-  for (const SceneFile& file : info.files) {
-    out.put(file.path.string());
-    out.put(file.size);
-    out.put(file.checksum);
-  }
-  out.put(std::uint64_t{info.settings.size()});
-  for (const auto& [option, value] : info.settings) {
-    out.put(option);
-    out.put(value);
-  }
-  out.put(std::int32_t{info.samples});
-  out.put(std::int32_t{info.part.number});
-  out.put(std::int32_t{info.part.count});
-  return out.bytes();
-}
 
 void put_range(ValueWriter& out, const SampleRange& range) {
   out.put(std::int32_t{range.first});
@@ -113,24 +92,31 @@ void put_row(ValueWriter& out, const FilmRow& row) {
 
 } // namespace
 
-void write_state(const std::filesystem::path& file, const StateInfo& info,
-                 const RenderState& state) {
+void write_state(const std::filesystem::path& file, const StateInfo& info, const RenderState& state,
+                 const RowSource& rows) {
   replace_file(file, [&](const std::filesystem::path& temporary) {
     BlockWriter writer(temporary);
-    writer.write("INFO", info_bytes(info));
+    ValueWriter about;
+    put_info(about, info);
+    writer.write("INFO", about.bytes());
     writer.write("PROG", progress_bytes(state));
     writer.write("FILM", film_bytes(state.film));
     FilmRow row;
     ValueWriter bytes;
     const PixelWindow& window = state.film.window();
     for (int y = window.y0; y < window.y1; ++y) {
-      get_row(state.film, y, row);
+      rows(y, row);
       bytes.clear();
       put_row(bytes, row);
       writer.write("ROW ", bytes.bytes());
     }
     writer.end();
   });
+}
+
+void write_state(const std::filesystem::path& file, const StateInfo& info,
+                 const RenderState& state) {
+  write_state(file, info, state, [&](int y, FilmRow& row) { get_row(state.film, y, row); });
 }
 
 } // namespace abbe

@@ -60,6 +60,9 @@ constexpr Permission kPermissions[] = {
     {"io/commands/", "CLI/"}, // each command has options of its own
     {"io/images/read_cube.cpp", "OpenEXR/"},
     {"io/images/read_cube.cpp", "Imath/"},
+    {"io/program/mpi_main.cpp", "mpi.h"},
+    {"io/program/mpi_main.cpp", "fcntl.h"},
+    {"io/program/mpi_main.cpp", "unistd.h"},
     {"io/images/read_exr.cpp", "OpenEXR/"},
     {"io/images/read_exr.cpp", "Imath/"},
     {"io/images/read_png.cpp", "png.h"},
@@ -275,6 +278,7 @@ TEST_CASE("each rule finds what breaks it") {
   CHECK(broken("core/plan/plan.cpp", "tbb/parallel_for.h"));
   CHECK(broken("core/plan/plan.cpp", "embree3/rtcore.h"));
   CHECK(broken("io/program/main.cpp", "CLI/CLI.hpp"));
+  CHECK(broken("io/program/main.cpp", "mpi.h"));
   CHECK(broken("io/images/write_tiff.cpp", "OpenEXR/ImfHeader.h"));
   CHECK(broken("io/program/main.cpp", "tests/catch.h"));
 

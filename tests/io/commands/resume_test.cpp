@@ -1,64 +1,12 @@
 #include "tests/catch.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/io/program_place.h"
 
-#include <sys/wait.h>
-
-#include <cstdlib>
-#include <fstream>
 #include <string>
 
-using test_folder = abbe::test::Folder;
-using abbe::test::content;
+using abbe::test::Outcome;
+using abbe::test::Place;
 
 namespace {
-
-struct Outcome {
-  int exit_code = 0;
-  std::string out, error;
-};
-
-/// A glass ball on a floor under a lamp, and the folder in which the program runs.
-struct Place {
-  test_folder folder;
-
-  Place() {
-    write("scene.sdl", "imageSize 40 24 bands 5 integrator path eye 0 1.2 5 fieldOfView 40\n"
-                       "background 0.1 0.1 0.2\n"
-                       "falloff square intensity 4 light E 1 3 2 1\n"
-                       "defaultMaterials diffuse 0.7 0.7 0.7\n"
-                       "push rotate -90 1 0 0 scale 4 4 1 square pop\n"
-                       "glass N-SF11 push translate 0 0.8 0 scale 0.7 0.7 0.7 sphere pop\n");
-  }
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder.path / name, std::ios::binary) << text;
-  }
-  [[nodiscard]] std::string bytes(const std::string& name) const {
-    return content(folder.path / name);
-  }
-  /// Runs the shell's command, in which $abbe is the program.
-  [[nodiscard]] Outcome shell(const std::string& command) const {
-    const std::string all = "cd '" + folder.path.string() + "' && abbe='" ABBE_EXECUTABLE "'; { " +
-                            command + "; } >out 2>error";
-    const int status = std::system(all.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes("out"), bytes("error")};
-  }
-  [[nodiscard]] Outcome abbe(const std::string& arguments) const {
-    return shell("$abbe " + arguments);
-  }
-  /// Runs the program, which must succeed, and returns what it says on standard output.
-  std::string run(const std::string& arguments) const {
-    const Outcome outcome = abbe(arguments);
-    INFO(arguments << "\n" << outcome.error);
-    REQUIRE(outcome.exit_code == 0);
-    return outcome.out;
-  }
-  void refuses(const std::string& arguments, const std::string& reason) const {
-    const Outcome outcome = abbe(arguments);
-    INFO(arguments << "\n" << outcome.error);
-    CHECK(outcome.exit_code == 2);
-    CHECK(outcome.error.find(reason) != std::string::npos);
-  }
-};
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != text.npos;
@@ -157,6 +105,43 @@ TEST_CASE("the parts of a rendering merge into the picture of the whole") {
   CHECK(contains(told, "samples a pixel: 6 of 6; complete"));
   CHECK(contains(told, "bands: 5 sums a pixel"));
   CHECK(contains(told, "all checksums are right"));
+}
+
+// 64 samples in the mean, of which each pixel gets a number of its own: borders of parts fall
+// within passes of light.
+TEST_CASE("parts spread their samples by a plan file, and merge into what the whole spreads") {
+  const Place place;
+  place.write("scene.sdl", abbe::test::kSoftShadows);
+  place.run("render scene.sdl --spp 64 --plan-out p.plan -q");
+  const std::string told = place.run("render scene.sdl --spp 64 --plan-in p.plan -o w.exr");
+  CHECK(contains(told, "samples a pixel: 16 to "));
+  for (const int count : {2, 5}) {
+    std::string parts;
+    for (int k = 1; k <= count; ++k) {
+      const std::string number = std::to_string(k), name = "p" + number + ".state";
+      place.run("render scene.sdl --spp 64 --plan-in p.plan --part " + number + "/" +
+                std::to_string(count) + " -o " + name);
+      parts += " " + name;
+    }
+    place.run("merge" + parts + " -o m.exr");
+    CHECK(place.bytes("m.exr") == place.bytes("w.exr"));
+  }
+  // Another plan, by other pilots, does not fit.
+  place.run("render scene.sdl --spp 32 --plan-out q.plan -q");
+  place.run("render scene.sdl --spp 64 --plan-in q.plan --part 1/5 -o q1.state");
+  place.refuses("merge q1.state p2.state p3.state p4.state p5.state -o m.exr",
+                "it was rendered with --plan-in");
+  place.refuses("render --resume p1.state --spp 128 -o p1.state", "more cannot be added");
+  place.refuses("render scene.sdl --spp 64 --seed 4 --plan-in p.plan -o a.exr", "--seed 4, not 0");
+  place.refuses("render scene.sdl --spp 64 --adaptive off --plan-in p.plan -o a.exr",
+                "needs adaptive sampling");
+  place.refuses("render scene.sdl --noise 0.1 --plan-in p.plan -o a.exr", "exclude each other");
+  place.refuses("render scene.sdl --time 5 --plan-out a.plan", "exclude each other");
+  place.refuses("render scene.sdl --spp 64 --plan-out a.plan -o a.exr", "Leave out -o");
+  place.refuses("render scene.sdl --spp 64 --plan-out a.plan --plan-in p.plan", "made once");
+  place.refuses("render scene.sdl --spp 64 --plan-in scene.sdl -o a.exr", "this is not the state");
+  place.write("scene.sdl", place.bytes("scene.sdl") + "sphere\n");
+  place.refuses("render scene.sdl --spp 64 --plan-in p.plan -o a.exr", "is not what it was");
 }
 
 TEST_CASE("what cannot be rendered in parts is refused with a hint") {
