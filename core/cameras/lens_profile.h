@@ -14,8 +14,8 @@ using glm::dvec3;
 ///
 ///   c h^2 / (1 + sqrt(1 - (1 + k) c^2 h^2)) + a_2 h^2 + a_4 h^4 + a_6 h^6 + ...
 struct LensProfile {
-  double curvature = 0.0;         ///< c, 1 / radius
-  double conic = 0.0;             ///< k; 0: a sphere, -1: a paraboloid
+  double curvature = 0.0;           ///< c, 1 / radius
+  double conic = 0.0;               ///< k; 0: a sphere, -1: a paraboloid
   std::vector<double> even_terms{}; ///< a_2, a_4, a_6 ...
 
   [[nodiscard]] bool spherical() const { return conic == 0.0 && even_terms.empty(); }

@@ -27,7 +27,7 @@ struct CutPolygons {
 
 /// The polygons, cut into triangles. `file` is named in the warning of polygons that cross
 /// themselves. Throws ReadError when there are more triangles than a mesh can hold.
-[[nodiscard]] CutPolygons
-triangles_of(const Polygons& polygons, const std::filesystem::path& file, const Warn& warn);
+[[nodiscard]] CutPolygons triangles_of(const Polygons& polygons, const std::filesystem::path& file,
+                                       const Warn& warn);
 
 } // namespace abbe

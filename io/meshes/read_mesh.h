@@ -26,9 +26,10 @@ enum class MeshFormat : std::uint8_t { obj, ply, stl };
 
 /// Reads the triangles of an OBJ, PLY or STL file, which is found from the folder of the file that
 /// names it. Polygons are cut into triangles; normals shade it smoothly; colours and materials are
-/// left out. A mesh that is not closed is mended where that closes it, with a warning of what has been changed. A
-/// file is read once: the mesh shares its triangles with those that came from the file before.
-/// Throws ReadError at the name, or at the place in the file, which then tells the name's too.
+/// left out. A mesh that is not closed is mended where that closes it, with a warning of what has
+/// been changed. A file is read once: the mesh shares its triangles with those that came from the
+/// file before. Throws ReadError at the name, or at the place in the file, which then tells the
+/// name's too.
 [[nodiscard]] const MendedMesh& read_mesh(Arguments& arguments, MeshFiles& files, const Warn& warn);
 
 /// The error of a transparent material on a mesh that is not closed.

@@ -87,9 +87,9 @@ std::string selftest_json(const SelftestRows& rows) {
   for (const SelftestRow& row : rows) {
     json += fmt::format("{}  {{\"subject\": {}, \"what\": {}, \"source\": {}, \"unit\": {}, "
                         "\"expected\": {}, \"got\": {}, \"tolerance\": {}, \"passed\": {}}}",
-                        separator, json_string(row.subject), json_string(row.what), json_string(row.source),
-                        json_string(row.unit), json_number(row.expected), json_number(row.got),
-                        json_number(row.tolerance), row.passed());
+                        separator, json_string(row.subject), json_string(row.what),
+                        json_string(row.source), json_string(row.unit), json_number(row.expected),
+                        json_number(row.got), json_number(row.tolerance), row.passed());
     separator = ",\n";
   }
   const std::size_t failed = failures(rows);

@@ -50,7 +50,8 @@ TEST_CASE("the CIE's illuminants have their published correlated temperatures") 
 
 TEST_CASE("a chromaticity on the pink side has a distance below 0, one far off no temperature") {
   // The first is u, v = 0.1978, 0.3122: 6507.47 K, 0.00322335 by Ohno's method (colour-science
-  // 0.3, whose radiators go from 360 to 830 nm). The second, 1041.68 K and -0.067, is beyond the CIE's limit.
+  // 0.3, whose radiators go from 360 to 830 nm). The second, 1041.68 K and -0.067, is beyond the
+  // CIE's limit.
   const auto near = correlated_temperature(of_uv(0.1978, 0.3122));
   REQUIRE(near);
   CHECK(near->kelvin == Approx(6507.5).margin(2.0));

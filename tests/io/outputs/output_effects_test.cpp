@@ -24,10 +24,10 @@ std::vector<std::string> warnings_of(std::vector<const char*> words) {
 
 TEST_CASE("options of images that are not written are warned of") {
   const std::vector<std::vector<const char*>> options{
-      {"--exr-pixel", "half", ".exr"}, {"--exr-space", "acescg", ".exr"},
-      {"--tiff-depth", "16", ".tiff"}, {"--png-depth", "16", ".png"},
-      {"--display", "p3", ".png"},     {"--transfer", "2.2", ".tiff"},
-      {"--gamut", "clip", ".tif"},     {"--exposure", "1", ".png"},
+      {"--exr-pixel", "half", ".exr"},  {"--exr-space", "acescg", ".exr"},
+      {"--tiff-depth", "16", ".tiff"},  {"--png-depth", "16", ".png"},
+      {"--display", "p3", ".png"},      {"--transfer", "2.2", ".tiff"},
+      {"--gamut", "clip", ".tif"},      {"--exposure", "1", ".png"},
       {"--white-point", "D50", ".PNG"}, {"--adaptation", "cat16", ".png"},
       {"--tone", "filmic", ".tif"}};
   for (const auto& option : options) {
