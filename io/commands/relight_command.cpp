@@ -4,7 +4,7 @@
 #include "core/scene/user_error.h"
 #include "io/console/exit_codes.h"
 #include "io/console/terminal.h"
-#include "io/images/read_cube.h"
+#include "io/images/read_picture.h"
 #include "io/images/write_image.h"
 #include "io/libraries/read_lights.h"
 #include "io/libraries/standard_lights.h"
@@ -18,13 +18,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <span>
 #include <utility>
 
 namespace abbe {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The bands of a rendering that a file has. Throws UserError where they are others.
+BandGrid grid_of(const fs::path& file, const PictureHeader& cube) {
+  const std::vector<double>& nm = cube.wavelengths_nm;
+  const BandGrid grid(std::clamp(static_cast<int>(nm.size()), 1, BandGrid::kMaxCount));
+  bool same = nm.size() == static_cast<std::size_t>(grid.count());
+  for (std::size_t b = 0; same && b < nm.size(); ++b)
+    same = std::abs(nm[b] - grid.center_nm(static_cast<int>(b))) < 1e-5;
+  if (!same)
+    throw UserError(fmt::format("{}: its bands are not those of a rendering", file.string()));
+  return grid;
+}
 
 /// A lamp that a group of lights is to have.
 struct GivenLamp {
@@ -33,7 +47,7 @@ struct GivenLamp {
   bool used = false;
 };
 
-std::string text_of(const CubeHeader& cube, std::string_view name) {
+std::string text_of(const PictureHeader& cube, std::string_view name) {
   for (const auto& [key, value] : cube.metadata)
     if (key == name) return value;
   return "";
@@ -86,17 +100,17 @@ public:
   [[nodiscard]] SceneLinearImage image() const;
 
 private:
-  Lamp begin(const fs::path& file, const CubeHeader& cube);
+  Lamp begin(const fs::path& file, const PictureHeader& cube);
 
   std::map<std::string, GivenLamp> lamps_;
   std::map<std::string, fs::path> groups_; ///< that have been added, with their files
-  std::optional<CubeHeader> first_;
+  std::optional<PictureHeader> first_;
   std::vector<Xyz> colors_;
   std::vector<float> alpha_;
   Metadata metadata_;
 };
 
-Lamp Relit::begin(const fs::path& file, const CubeHeader& cube) {
+Lamp Relit::begin(const fs::path& file, const PictureHeader& cube) {
   const std::string group = text_of(cube, "abbe/lightGroup");
   if (group.empty())
     throw UserError(fmt::format("{}: this is not the light of one group of lights, as "
@@ -116,11 +130,12 @@ Lamp Relit::begin(const fs::path& file, const CubeHeader& cube) {
     colors_.assign(cube.data.pixel_count(), {0.0, 0.0, 0.0});
     alpha_.resize(cube.data.pixel_count());
   }
-  if (cube.data != first_->data || cube.display != first_->display || cube.bands != first_->bands ||
+  if (cube.data != first_->data || cube.display != first_->display ||
+      cube.wavelengths_nm != first_->wavelengths_nm ||
       text_of(cube, "abbe/observer") != text_of(*first_, "abbe/observer"))
     throw UserError(fmt::format("{}: its pixels, bands or observer are not those of {}",
                                 file.string(), groups_.begin()->second.string()));
-  const BandGrid grid(cube.bands);
+  const BandGrid grid = grid_of(file, cube);
   if (!lamp->second.spectrum.spectral_lines().empty())
     say_warning(fmt::format("{} is made of lines. Glass has bent them as light anywhere in their "
                             "bands, which are {:.3g} nm wide",
@@ -131,24 +146,16 @@ Lamp Relit::begin(const fs::path& file, const CubeHeader& cube) {
 }
 
 void Relit::add(const fs::path& file) {
-  std::optional<Lamp> lamp;
-  std::optional<UserError> mistake; // read_cube would tell it as one of the file
+  const Lamp lamp = begin(file, read_picture_header(file));
   std::size_t pixel = 0;
-  read_cube(
-      file,
-      [&](const CubeHeader& cube) {
-        try {
-          lamp = begin(file, cube);
-        } catch (const UserError& error) {
-          mistake = error;
-        }
-      },
-      [&](std::span<const float> bands, float alpha) {
-        if (mistake) return;
-        alpha_[pixel] = alpha;
-        colors_[pixel++] += lamp->color(bands);
-      });
-  if (mistake) throw UserError(*mistake);
+  const auto add_block = [&](const PictureValues& block) {
+    const std::size_t bands = block.header.wavelengths_nm.size();
+    for (std::size_t i = 0; i < block.part.pixel_count(); ++i, ++pixel) {
+      alpha_[pixel] = block.alpha.empty() ? 1.0f : block.alpha[i];
+      colors_[pixel] += lamp.color(std::span(block.bands).subspan(i * bands, bands));
+    }
+  };
+  read_picture_blocks(file, {.bands = true, .alpha = true}, add_block);
 }
 
 void Relit::check_used() const {

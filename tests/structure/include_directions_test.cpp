@@ -58,8 +58,6 @@ constexpr Permission kPermissions[] = {
     {"io/", "fmt/"},
     {"io/program/command_line.cpp", "CLI/"},
     {"io/commands/", "CLI/"}, // each command has options of its own
-    {"io/images/read_cube.cpp", "OpenEXR/"},
-    {"io/images/read_cube.cpp", "Imath/"},
     {"io/program/mpi_main.cpp", "mpi.h"},
     {"io/program/mpi_main.cpp", "fcntl.h"},
     {"io/program/mpi_main.cpp", "unistd.h"},
