@@ -174,12 +174,14 @@ int run(const RenderCommand& command) {
   const Outputs outputs = outputs_of(command, scene, request.part);
   check_outputs(outputs, request.inputs);
   warn_of_outputs(command.given, outputs, command.output, say_warning);
-  check_memory(least_memory_need(request.scene.settings), command.memory_limit_gib);
+  check_memory(picture_needs(least_memory_need(request.scene.settings)), command.memory_limit_gib);
+  check_memory(plan_needs(least_plan_need(scene, request.scene.settings)),
+               command.memory_limit_gib);
   const Workers workers = limit_workers(request.scene.settings.threads);
   const Plan plan = make_plan(scene, with_allowed_threads(request.scene.settings, workers));
   check_part(request.part, plan.settings);
   const std::optional<BandPlace> bands = bands_of(command, request);
-  check_memory(memory_need(scene, plan, bands), command.memory_limit_gib);
+  check_memory(picture_needs(memory_need(scene, plan, bands)), command.memory_limit_gib);
   if (!command.quiet) tell_plan(plan);
   RenderState state = begin(command, request, plan, bands);
   const World world(scene.shapes, farthest_coordinate(scene));
