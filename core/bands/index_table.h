@@ -42,6 +42,8 @@ public:
     }
   }
   [[nodiscard]] bool achromatic() const { return achromatic_; }
+  /// How many indices a table of this medium holds, told before it is made.
+  [[nodiscard]] static std::size_t count(const Dispersion& law, bool keep_constant = true);
 
 private:
   static constexpr double kStepNm = 0.0625;

@@ -4,6 +4,7 @@
 #include "core/planning/plan_surfaces.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace abbe {
@@ -16,6 +17,18 @@ MaterialPlan planned_mixture(const Plan& plan, const Mixture& mixture) {
   MaterialPlan m;
   m.mixture = {mixture.first.value, mixture.second.value, mixture.share,
                either(a.facts(), b.facts()), a.lit() || b.lit()};
+  return m;
+}
+
+/// A mixture of `with` and `without`, which are to stand from `place` on among the materials. As
+/// both give off the same light, so does the mixture.
+MaterialPlan mixture_at(std::size_t place, double chance, const MaterialPlan& with,
+                        const MaterialPlan& without) {
+  MaterialPlan m;
+  m.emission_source = with.emission_source;
+  m.emits_behind = with.emits_behind;
+  const int first = static_cast<int>(place);
+  m.mixture = {first, first + 1, chance, either(with.facts(), without.facts()), with.lit()};
   return m;
 }
 
@@ -38,12 +51,14 @@ std::vector<double> table_wavelengths(const Plan& plan) {
 void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
   const RenderSettings& settings = plan.settings;
   const CurveTables tables(table_wavelengths(plan), settings.skip.constant_curves);
+  std::vector<MaterialPlan> parts; ///< of those that are met with and without what is faint
   for (const Material& material : scene.materials) {
     MaterialPlan m;
     m.ambient = tables.of(material.ambient);
     m.diffuse = tables.of(material.diffuse);
     m.phong = {tables.of(material.specular), static_cast<float>(material.specular_exponent)};
-    m.bsdf = plan_bsdf(material, tables, plan);
+    const auto faint = faint_parts(material, tables, plan);
+    m.bsdf = plan_bsdf(material, faint ? faint->with : PartFactors{}, tables, plan);
     if (material.texture)
       m.texture = plan_texture(plan.textures, *material.texture, scene.images,
                                tables.wavelengths_nm(), settings.skip.constant_curves);
@@ -51,9 +66,17 @@ void plan_materials(const Scene& scene, Plan& plan, SourcePlanner& sources) {
     m.clear = is_clear(material);
     if (!material.emission.zero()) m.emission_source = sources.add(material.emission);
     if (material.mixture) m = planned_mixture(plan, *material.mixture);
+    if (faint) {
+      MaterialPlan without = m;
+      without.bsdf = plan_bsdf(material, faint->without, tables, plan);
+      const std::size_t place = scene.materials.size() + parts.size();
+      parts.push_back(std::exchange(m, mixture_at(place, faint->chance, m, without)));
+      parts.push_back(std::move(without));
+    }
     plan.has_panes = plan.has_panes || m.facts().passes;
     plan.materials.push_back(std::move(m));
   }
+  std::ranges::move(parts, std::back_inserter(plan.materials));
 }
 
 void plan_media(const Scene& scene, Plan& plan) {

@@ -2,6 +2,8 @@
 
 #include "core/plan/plan.h"
 
+#include <cstddef>
+#include <unordered_map>
 #include <vector>
 
 namespace abbe {
@@ -18,11 +20,14 @@ public:
   int add(const Curve& spectrum);
 
 private:
+  /// The place of an equal spectrum in spectra_; it is added where there is none.
+  std::size_t find_or_add(const Curve& spectrum);
   void add_accumulator(const Curve& spectrum);
 
   Plan& plan_;
   bool per_band_;
   std::vector<Curve> spectra_;
+  std::unordered_multimap<std::size_t, std::size_t> known_; ///< into spectra_, by checksum
 };
 
 } // namespace abbe

@@ -40,12 +40,15 @@ FilmLayer plan_film(const Material& material, Plan& plan) {
   return {material.fresnel ? material.film->thickness_nm : 0.0, layer};
 }
 
-/// A part whose every band is below the least that is followed is absent.
-BandTable unless_faint(BandTable table, double least, int bands) {
+float most_of(const BandTable& table, int bands) {
   float most = 0.0f;
   for (int b = 0; b < bands; ++b)
     most = std::max(most, table[b]);
-  return most > static_cast<float>(least) ? std::move(table) : BandTable(0.0f, bands);
+  return most;
+}
+
+Curve times(const Curve& curve, double factor) {
+  return factor == 0.0 ? Curve() : curve.scaled(factor);
 }
 
 } // namespace
@@ -54,27 +57,43 @@ BandTable CurveTables::of(const Curve& curve) const {
   return BandTable::at_wavelengths(nm_, curve, keep_constant_);
 }
 
-Bsdf plan_bsdf(const Material& material, const CurveTables& tables, Plan& plan) {
-  const RenderSettings& settings = plan.settings;
-  const int bands = plan.grid.count();
+std::optional<FaintParts> faint_parts(const Material& material, const CurveTables& tables,
+                                      const Plan& plan) {
+  if (material.coat || material.mixture) return std::nullopt;
+  FaintParts faint;
+  const auto ask = [&](const Curve& part, double least, bool& is_faint) {
+    if (least <= 0.0) return;
+    const float most = most_of(tables.of(part), plan.grid.count());
+    if (most <= 0.0f || most >= static_cast<float>(least)) return;
+    is_faint = true;
+    faint.chance = std::max(faint.chance, static_cast<double>(most) / least);
+  };
+  bool reflectivity = false, transparency = false;
+  ask(material.reflectivity, plan.settings.min_reflectivity, reflectivity);
+  ask(material.transparency, plan.settings.min_transparency, transparency);
+  if (!reflectivity && !transparency) return std::nullopt;
+  const double brighter = 1.0 / faint.chance;
+  faint.without = {reflectivity ? 0.0 : 1.0, transparency ? 0.0 : 1.0};
+  faint.with = {reflectivity ? brighter : 1.0, transparency ? brighter : 1.0};
+  return faint;
+}
+
+Bsdf plan_bsdf(const Material& material, const PartFactors& factors, const CurveTables& tables,
+               Plan& plan) {
+  const BandTable reflectivity = tables.of(times(material.reflectivity, factors.reflectivity));
+  const BandTable transparency = tables.of(times(material.transparency, factors.transparency));
   if (material.pane) {
     const ThinPane& pane = *material.pane;
-    return ThinGlass{
-        add_layer(pane.index, plan), tables.of(pane.absorption_per_mm.scaled(pane.thickness_mm)),
-        unless_faint(tables.of(material.reflectivity), settings.min_reflectivity, bands),
-        unless_faint(tables.of(material.transparency), settings.min_transparency, bands)};
+    return ThinGlass{add_layer(pane.index, plan),
+                     tables.of(pane.absorption_per_mm.scaled(pane.thickness_mm)), reflectivity,
+                     transparency};
   }
   // A film that Fresnel's equations do not see is none, but remains a layer of the plan.
   const FilmLayer film = plan_film(material, plan);
   const double roughness = material.roughness < kSmoothest ? 0.0 : material.roughness;
   if (material.coat) return CoatedDiffuse{add_layer(*material.coat, plan), roughness, std::nullopt};
 
-  const BandTable given_transparency = tables.of(material.transparency);
-  const BandTable reflectivity =
-      unless_faint(tables.of(material.reflectivity), settings.min_reflectivity, bands);
-  if (!given_transparency.zero()) {
-    const BandTable transparency =
-        unless_faint(given_transparency, settings.min_transparency, bands);
+  if (!tables.of(material.transparency).zero()) { // glass, even where its refraction is left out
     if (reflectivity.zero() && transparency.zero()) return Diffuse{};
     Dielectric smooth{reflectivity, transparency, material.fresnel, film};
     if (roughness == 0.0) return smooth;

@@ -2,6 +2,7 @@
 
 #include "core/plan/plan.h"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,9 +22,25 @@ private:
   bool keep_constant_;
 };
 
+/// What the mirror image and the refraction of a material are multiplied by.
+struct PartFactors {
+  double reflectivity = 1.0, transparency = 1.0;
+};
+
+/// A material with a mirror image or a refraction that is fainter in every band than the settings
+/// ask for is met as one of two: with a chance that is as large as the part is faint it has the
+/// part, brighter by as much, and else it has none. So the part keeps its light in the mean.
+struct FaintParts {
+  double chance = 0.0; ///< of `with`
+  PartFactors with, without;
+};
+[[nodiscard]] std::optional<FaintParts> faint_parts(const Material& material,
+                                                    const CurveTables& tables, const Plan& plan);
+
 /// What of a material mirrors or lets light through. Its film, coat or pane becomes a layer of the
-/// plan. A part that is below the least that the settings follow is absent.
-[[nodiscard]] Bsdf plan_bsdf(const Material& material, const CurveTables& tables, Plan& plan);
+/// plan.
+[[nodiscard]] Bsdf plan_bsdf(const Material& material, const PartFactors& factors,
+                             const CurveTables& tables, Plan& plan);
 
 /// Has the BSDFs with facets find what these return after one reflection; materials and media are
 /// planned.

@@ -46,6 +46,22 @@ std::uint64_t memory_need(const Scene& scene, const Plan& plan,
   return bytes + pixels * per_pixel;
 }
 
+std::uint64_t least_plan_need(const Scene& scene, const RenderSettings& settings) {
+  std::uint64_t bytes =
+      scene.materials.size() * sizeof(MaterialPlan) + scene.media.size() * sizeof(MediumPlan);
+  const auto add = [&](const Dispersion& law) {
+    bytes += IndexTable::count(law, settings.skip.constant_indices) * sizeof(double);
+  };
+  for (const Medium& medium : scene.media)
+    add(medium.index);
+  for (const Material& material : scene.materials) {
+    if (material.film) add(material.film->index);
+    if (material.pane) add(material.pane->index);
+    if (material.coat) add(*material.coat);
+  }
+  return bytes;
+}
+
 std::uint64_t least_memory_need(const RenderSettings& settings) {
   const PixelWindow window =
       settings.crop.value_or(PixelWindow{0, 0, settings.width, settings.height});

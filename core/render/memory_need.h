@@ -17,4 +17,8 @@ namespace abbe {
 /// The least that it can be, as far as settings alone tell, which have no plan yet.
 [[nodiscard]] std::uint64_t least_memory_need(const RenderSettings& settings);
 
+/// What the plan of a scene takes at the least, which can be told before it is made: its materials,
+/// and the tables of indices of its media and layers.
+[[nodiscard]] std::uint64_t least_plan_need(const Scene& scene, const RenderSettings& settings);
+
 } // namespace abbe

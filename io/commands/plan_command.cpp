@@ -1,5 +1,7 @@
 #include "io/commands/plan_command.h"
 
+#include "core/render/memory_need.h"
+#include "io/commands/check_memory.h"
 #include "io/commands/scene_request.h"
 #include "io/commands/setting_options.h"
 
@@ -13,6 +15,7 @@ void add_options(CLI::App& app, PlanCommand& command) {
 int run(const PlanCommand& command) {
   SceneRequest request =
       read_request(command.scene_path, command.settings, nullptr, command.strictness);
+  check_memory(plan_needs(least_plan_need(request.scene, request.settings)), {});
   tell_plan(plan_of(request, request.settings));
   return 0;
 }

@@ -199,14 +199,16 @@ int run(const RenderCommand& command, const Peers& peers) {
   const Outputs outputs = outputs_of(command, scene, request.part);
   if (peers.is_first()) check_outputs(outputs, request.inputs);
   warn_of_outputs(command.given, outputs, command.output, say_warning);
-  check_memory(least_memory_need(request.scene.settings), command.memory_limit_gib);
+  check_memory(picture_needs(least_memory_need(request.scene.settings)), command.memory_limit_gib);
+  check_memory(plan_needs(least_plan_need(scene, request.scene.settings)),
+               command.memory_limit_gib);
   const Workers workers = limit_workers(request.scene.settings.threads);
   const Plan plan = plan_of(request.scene, with_allowed_threads(request.scene.settings, workers));
   check_plan_options(command.states, plan.settings);
   check_part(request.part, plan.settings,
              command.states.plan_in || (request.resumed && is_planned(request.resumed->info())));
   const std::optional<BandPlace> bands = bands_of(command, request);
-  check_memory(memory_need(scene, plan, bands), command.memory_limit_gib);
+  check_memory(picture_needs(memory_need(scene, plan, bands)), command.memory_limit_gib);
   if (!command.quiet) tell_plan(plan);
   StateInfo info; // the checksums in it take time, so it is there where a state is kept
   if (outputs.state) info = info_of(request.scene_path, request.inputs, plan, request.part);

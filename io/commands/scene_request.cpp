@@ -2,7 +2,6 @@
 
 #include "core/planning/make_plan.h"
 #include "core/planning/plan_relightable.h"
-#include "io/building/faint_parts.h"
 #include "io/building/setting_effects.h"
 #include "io/console/terminal.h"
 #include "io/scene_files/read_scene_file.h"
@@ -18,7 +17,6 @@ SceneRequest read_request(const std::filesystem::path& scene_path, const Setting
   const RenderSettings asked = overridden(scene.settings, settings);
   check_caustics(given, asked);
   warn_of_settings(scene, given, settings, say_warning);
-  warn_of_faint_parts(scene, given, settings, say_warning);
   return {std::move(scene), asked};
 }
 

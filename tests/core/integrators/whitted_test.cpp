@@ -165,18 +165,35 @@ TEST_CASE("a branch is followed for sure for its brightest band") {
   CHECK(film.radiance(0, 0, 80) == Approx(0.95).epsilon(1e-4));
 }
 
-TEST_CASE("surfaces that reflect no more than minReflectivity are not followed") {
-  CHECK(between_mirrors("minReflectivity 0.49") > 1.9);
-  CHECK(between_mirrors("minReflectivity 0.5") == Approx(1.0).epsilon(1e-6));
+// A mirror of r = 1/2 below a least of m sends on the weight m with the chance r / m, so that
+// k more mirrors follow with the chance (r / m)^k (1 - r / m). The sum of the powers of m over them
+// has the mean 1 / (1 - r), and the variance (1 + r) / ((1 - r) (1 - m r)) - 1 / (1 - r)^2.
+TEST_CASE("surfaces that reflect less than minReflectivity reflect at random: no light is lost") {
+  constexpr int kSamples = 1 << 14;
+  CHECK(between_mirrors("minReflectivity 0.5") > 1.99);
+  // A single sample is 1, 1.6, 1.96, 2.176, ... then, and never 2.
+  CHECK(between_mirrors("samples 1 minReflectivity 0.6 minThroughput 0") !=
+        Approx(2.0).epsilon(1e-3));
+  for (const double least : {0.6, 0.9}) {
+    const double mean = between_mirrors("minThroughput 0 minReflectivity " + std::to_string(least) +
+                                        " samples " + std::to_string(kSamples));
+    const double variance = 1.5 / (0.5 * (1.0 - 0.5 * least)) - 4.0;
+    CHECK(mean == Approx(2.0).margin(4.0 * std::sqrt(variance / kSamples)));
+  }
 }
 
-// Head-on, R0 = ((n - 1) / (n + 1))^2 = 0.04 for n = 1.5. Glass below minTransparency still
-// reflects what Fresnel says and does not become a full mirror.
-TEST_CASE("surfaces that let through no more than minTransparency only reflect") {
-  const std::string glass = "eye 0 0 5 lookAt 0 0 0 background E 1 defaultMaterials ambient 0 0 0\n"
-                            "diffuse 0 0 0 reflectivity 1 transparency 0.3 speedOfLight 1.5 cube\n";
-  CHECK(seen(glass + "minTransparency 0.3") == Approx(0.04).epsilon(1e-4));
-  CHECK(seen(glass + "minTransparency 0.29") > 0.1);
+// A slab without Fresnel sends back r + t^2 / (1 - r), as above. With t = 0.3 below a least of 0.6
+// each passage brings 0.6 every other time. What is inside brings I = X_0 + r X_1 + r^2 X_2 + ...,
+// of mean 0.6 and variance 0.09 / (1 - r^2) = 0.12, and what enters Y I: its variance is
+// E Y^2 E I^2 - 0.18^2 = 0.18 (0.12 + 0.36) - 0.0324 = 0.054.
+TEST_CASE("surfaces that let through less than minTransparency do so at random: no light is lost") {
+  constexpr double r = 0.5, t = 0.3;
+  const std::string slab = "eye 0 0 5 lookAt 0 0 0 background E 1 maxRecursionDepth 100\n"
+                           "minThroughput 0 defaultMaterials ambient 0 0 0 diffuse 0 0 0\n"
+                           "reflectivity 0.5 transparency 0.3 fresnel off speedOfLight 1.5 cube\n";
+  CHECK(seen(slab) == Approx(r + t * t / (1.0 - r)).epsilon(1e-4));
+  CHECK(seen(slab + "minTransparency 0.6 samples 16384") ==
+        Approx(r + t * t / (1.0 - r)).margin(4.0 * std::sqrt(0.054 / 16384.0)));
 }
 
 // Without Fresnel the slab's sides reflect r and pass t, whatever the angle. All light that the

@@ -61,16 +61,34 @@ TEST_CASE("the glass of a pane is a layer, and a passage absorbs by its thicknes
   CHECK_FALSE(plan_of("background E 1 glass N-BK7 cube").has_panes);
 }
 
-TEST_CASE("a part that is fainter than the least followed is absent") {
-  const auto facts = [](const std::string& text) {
-    return plan_of("background E 1 " + text + " cube").materials.at(0).facts();
+TEST_CASE("a material with a part fainter than the least is met with it and without it") {
+  const auto plan = [](const std::string& text) {
+    return plan_of("background E 1 " + text + " cube");
   };
-  CHECK(facts("minReflectivity 0.1 reflectivity 0.2").reflects);
-  CHECK_FALSE(facts("minReflectivity 0.3 reflectivity 0.2").reflects);
-  const BsdfFacts dim = facts("minReflectivity 0.3 glass N-BK7 reflectivity 0.2");
-  CHECK((!dim.reflects && dim.transmits));
-  const BsdfFacts dark = facts("minTransparency 0.3 glass N-BK7 transparency 0.2");
-  CHECK((dark.reflects && !dark.transmits));
+  CHECK_FALSE(plan("minReflectivity 0.2 reflectivity 0.2").materials.at(0).mixture);
+  CHECK_FALSE(plan("minReflectivity 0.3 reflectivity 0").materials.at(0).mixture);
+
+  const Plan mirror = plan("minReflectivity 0.4 reflectivity 0.1");
+  REQUIRE(mirror.materials.size() == 3);
+  const MixturePlan& mixed = mirror.materials[0].mixture.value();
+  CHECK((mixed.first == 1 && mixed.second == 2));
+  CHECK(mixed.share == Approx(0.25));
+  CHECK(std::get<Mirror>(mirror.materials[1].bsdf).reflectivity[0] == Approx(0.4));
+  CHECK(std::holds_alternative<Diffuse>(mirror.materials[2].bsdf));
+
+  const Plan dim = plan("minReflectivity 0.4 glass N-BK7 reflectivity 0.2");
+  CHECK((dim.materials.at(1).facts().reflects && dim.materials.at(1).facts().transmits));
+  CHECK((!dim.materials.at(2).facts().reflects && dim.materials.at(2).facts().transmits));
+  const Plan dark = plan("minTransparency 0.4 glass N-BK7 transparency 0.2");
+  CHECK((dark.materials.at(1).facts().reflects && dark.materials.at(1).facts().transmits));
+  CHECK((dark.materials.at(2).facts().reflects && !dark.materials.at(2).facts().transmits));
+}
+
+TEST_CASE("a lamp with a faint part stays a lamp") {
+  const Plan plan = plan_of("minReflectivity 0.4 reflectivity 0.1 emissive 1 1 1 cube");
+  CHECK(plan.materials.at(0).emission_source >= 0);
+  CHECK(plan.materials.at(1).emission_source == plan.materials[0].emission_source);
+  CHECK(plan.materials.at(2).emission_source == plan.materials[0].emission_source);
 }
 
 TEST_CASE("the plan tells which rough surfaces whitted shows smooth") {

@@ -34,6 +34,22 @@ TEST_CASE("memory is what the film's layers and the largest picture of them take
   CHECK(per_pixel(sky + "bands 405 ", BandPlace{"/tmp", 1}) == film + picture + 1024);
 }
 
+// A table of a glass holds its index every 1/16 nm from 377.5 to 782.5 nm, both ends too.
+TEST_CASE("what a plan's tables take is told before they are made") {
+  const auto need = [](const std::string& text) {
+    const Scene scene = read_scene_text(text, "test.sdl", {});
+    return least_plan_need(scene, scene.settings);
+  };
+  constexpr std::uint64_t table = (16 * 405 + 1) * 8;
+  const std::uint64_t one = need("abbe 1.5 60 sphere"), two = need("abbe 1.5 60 sphere "
+                                                                   "abbe 1.5 61 sphere");
+  CHECK(two - one == table + sizeof(MediumPlan)); // the material is the same
+  CHECK(one - need("speedOfLight 1.5 transparency 1 reflectivity 1 sphere") == table - 8);
+  const std::string matt = "defaultMaterials diffuse 0.5 0.5 0.5 ";
+  CHECK(need(matt + "coat N-BK7 sphere") - need(matt + "sphere") == table);
+  CHECK(need("abbe 1.5 60 thinFilm 100 N-BK7 sphere") - one == table);
+}
+
 TEST_CASE("settings alone tell no more memory than the plan does") {
   for (const std::string text : {"samples 1 background E 1", "samples 64", "crop 0 0 100 3"}) {
     Scene scene = read_scene_text("imageSize 300 200 " + text, "test.sdl", {});

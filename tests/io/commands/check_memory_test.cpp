@@ -17,7 +17,7 @@ constexpr std::uint64_t kGiB = std::uint64_t{1} << 30;
 
 std::string said(std::uint64_t need, std::optional<double> limit_gib) {
   try {
-    check_memory(need, limit_gib);
+    check_memory(picture_needs(need), limit_gib);
   } catch (const UserError& error) {
     return error.what();
   }
