@@ -29,9 +29,10 @@ double square(double x) {
 } // namespace
 
 TEST_CASE("an anti-reflection coating reflects by its thickness in wavelengths") {
+  // What goes into the glass ends at the next surface.
   // |r1 + r2 e^-2id|^2 / |1 + r1 r2 e^-2id|^2 with real r: cosines of the double phase suffice.
   const Film film = look("background E 1 defaultMaterials diffuse 0 0 0 ambient 0 0 0 "
-                         "reflectivity 1 transparency 0.5 minTransparency 0.5 speedOfLight 1.5 "
+                         "reflectivity 1 transparency 1 maxRecursionDepth 1 speedOfLight 1.5 "
                          "thinFilm 99.6 1.38 cube");
   const double r1 = (1.0 - 1.38) / 2.38, r2 = (1.38 - 1.5) / 2.88;
   for (int b = 0; b < 81; ++b) {
@@ -69,7 +70,7 @@ TEST_CASE("films on metal and between media of one index leave no energy over") 
 TEST_CASE("a soap film's colours are those of its reflectance") {
   // One boundary between air and air; what passes it is not followed.
   const Film film = look("background E 1 reflectivity 1 transparency 1 diffuse 0 0 0 ambient 0 0 0 "
-                         "minTransparency 1 speedOfLight 1 thinFilm 350 1.33 cube");
+                         "maxRecursionDepth 1 speedOfLight 1 thinFilm 350 1.33 cube");
   const double r0 = square(0.33 / 2.33);
   for (int b = 0; b < 81; ++b) {
     const double sine = std::sin(2.0 * std::numbers::pi * 1.33 * 350.0 / (380.0 + 5.0 * b));

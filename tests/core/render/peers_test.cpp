@@ -148,7 +148,7 @@ TEST_CASE("peers render together what one renders alone") {
       CHECK(pauses == 0);
     }
     int pauses = 0;
-    check_same(by_peers(s, 3, 0.01, pauses), whole);
+    check_same(by_peers(s, 3, 0.001, pauses), whole);
     CHECK(pauses > 0);
   }
 }

@@ -31,7 +31,7 @@ public:
       throughput_[static_cast<std::size_t>(b)] = 1.0f;
     wavelengths_.begin_path(0.5);
     hit_.point = dvec3(0.0);
-    hit_.normal = {0.0, 0.0, 1.0};
+    hit_.normal = hit_.shading_normal = {0.0, 0.0, 1.0};
     hit_.entering = true;
     if (!plan_.media.empty()) hit_.medium_after = MediumId{0};
     scattering_.prepare(plan_.materials[0], plan_.materials[0].diffuse, hit_,

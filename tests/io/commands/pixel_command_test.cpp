@@ -71,7 +71,8 @@ TEST_CASE("pixel tells the wavelength of a laser") {
   write_laser(desk / "laser.exr");
   const std::string text = desk.run("pixel laser.exr 0 0");
   CHECK(number_after(text, "dominant wavelength") == Approx(535.0).margin(0.02));
-  CHECK(text.find("purity 1.0000") != std::string::npos);
+  // Between channels 1 nm apart the spectrum is linear: a triangle, and not quite one wavelength.
+  CHECK(text.find("purity 0.999") != std::string::npos);
   // ybar(535 nm) = 0.9149 over 106.857, the sum of all. [CIE018]
   const auto json = nlohmann::json::parse(desk.run("pixel laser.exr 0 0 --json"));
   CHECK(json["XYZ"][1].get<double>() == Approx(2.0 * 0.91486 / 106.857).epsilon(1e-3));

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 /// A cube of two pixels and 81 bands, all of one value in each pixel.
 fs::path cube(const fs::path& folder, const std::string& group, float left, float right,
               int width = 2) {
-  const fs::path file = folder / (group + ".exr");
+  const fs::path file = folder / ((group.empty() ? "lone" : group) + ".exr");
   const PixelWindow window{0, 0, width, 1};
   write_spectral_exr(file, window, [&](const PixelWindow& rows) {
     SpectralImage image{window, rows, {}, {}, {}, {}};

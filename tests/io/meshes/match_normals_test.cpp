@@ -18,7 +18,7 @@ Mesh mesh_from(const std::string& text, const char* file, MeshFormat format) {
 /// The normal at a place of the mesh, whichever triangle that lies in.
 dvec3 normal_at(const Mesh& mesh, const dvec3& place) {
   const LocalRay ray{place + dvec3(0, 0, 1), {0, 0, -1}, 0.0, 0.0};
-  const int face = nearest_face(mesh, ray, true);
+  const int face = nearest_face(mesh, ray, true).face;
   return shading_normal(mesh, place, face).value_or(dvec3(0.0));
 }
 
