@@ -62,7 +62,8 @@ Film::Film(PixelWindow window, std::vector<LayerForm> layers, const BandPlace& p
       band_splats_(find(kBandSplats)), transparency_(find(kTransparency)),
       counts_(window.pixel_count()), covered_(window.pixel_count()),
       strata_(has_strata(layers_) ? window.pixel_count() : 0) {
-  assert(layers_.size() <= std::numeric_limits<std::uint8_t>::max());
+  if (layers_.size() >= std::numeric_limits<std::uint8_t>::max())
+    throw std::length_error("a film has fewer than 255 layers");
 }
 
 Film::Film(PixelWindow window, double quantum, int bands, bool keep_errors, const BandPlace& place)

@@ -66,6 +66,7 @@ std::vector<ImageChannel> cryptomatte_channels(const Film& film, LayerId layer,
   for_each_pixel(film.window(), [&](int x, int y) {
     ranks.clear();
     for (const auto& [number, count] : film.layer(layer).ids().of(film.window().index(x, y))) {
+      if (number >= ids.size()) continue; // a made-up state; a rendering has no such number
       const std::uint32_t id = ids[number];
       const auto same = std::ranges::find(ranks, id, [](const auto& r) { return r.first; });
       if (same == ranks.end())
@@ -73,8 +74,9 @@ std::vector<ImageChannel> cryptomatte_channels(const Film& film, LayerId layer,
       else
         same->second += count;
     }
-    std::ranges::stable_sort(ranks,
-                             [](const auto& a, const auto& b) { return a.second > b.second; });
+    std::ranges::sort(ranks, [](const auto& a, const auto& b) {
+      return a.second != b.second ? a.second > b.second : a.first < b.first;
+    });
     for (std::size_t r = 0; r < kCryptomatteRanks; ++r) {
       const bool there = r < ranks.size();
       channels[2 * r].values.push_back(there ? std::bit_cast<float>(ranks[r].first) : 0.0f);

@@ -119,7 +119,7 @@ int LightHierarchy::build(std::span<const LightReach> lights, std::span<int> ind
     return id;
   }
   const Cut cut = best_cut(lights, indices);
-  auto border = std::ranges::stable_partition(indices, [&](int i) {
+  auto border = std::ranges::partition(indices, [&](int i) {
                   return middle(lights[static_cast<std::size_t>(i)].box())[cut.axis] < cut.place;
                 }).begin();
   // Lights at one place, or all but at one, are halved by their number.

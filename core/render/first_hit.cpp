@@ -145,14 +145,13 @@ void FirstHit::add(const Film::Place& place, const CameraPaths& start) {
     ++ray;
   const Hit& hit = start.hits[ray];
   const RayState& state = start.states[ray];
-  const dvec3 normal = hit.entering ? hit.normal : -hit.normal;
   const dvec3 depth(std::max(0.0, glm::dot(hit.point - eye_, forward_)));
   put(place, depth_, depth);
   put(place, depth_nearest_, depth);
   put(place, distance_, dvec3(hit.t));
   put(place, position_, hit.point);
-  put(place, normal_, normal);
-  put(place, geometric_, normal);
+  put(place, normal_, hit.facing_shading_normal());
+  put(place, geometric_, hit.facing_normal());
   if (uv_[0]) {
     const dvec2 uv = surface_coordinates(world_.shapes()[hit.shape.index()], hit.face, hit.point);
     put(place, uv_, {uv.x, uv.y, 0.0});

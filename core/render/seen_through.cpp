@@ -1,6 +1,7 @@
 #include "core/render/seen_through.h"
 
 #include "core/optics/fresnel.h"
+#include "core/optics/shading_side.h"
 
 #include <glm/geometric.hpp>
 
@@ -28,15 +29,18 @@ struct Turn {
 };
 
 Turn turn_at(const Plan& plan, const Hit& hit, const dvec3& direction, bool transmits) {
-  const dvec3 normal = hit.entering ? hit.normal : -hit.normal;
-  const double cos_i = std::min(1.0, -glm::dot(direction, normal));
+  const dvec3 normal = hit.facing_shading_normal();
+  const auto on_side = [&](const dvec3& turned, bool above) {
+    return hit.bent() ? kept_on_side(turned, hit.facing_normal(), above) : turned;
+  };
+  const double cos_i = std::clamp(-glm::dot(direction, normal), 0.0, 1.0);
   if (transmits) {
     const double eta = plan.medium(hit.medium_after).index.at(kSeenThroughNm) /
                        plan.medium(hit.medium_before).index.at(kSeenThroughNm);
     if (const auto cos_t = refracted_cosine(cos_i, eta))
-      return {refracted(direction, normal, cos_i, *cos_t, eta), true};
+      return {on_side(refracted(direction, normal, cos_i, *cos_t, eta), false), true};
   }
-  return {reflected(direction, normal), false};
+  return {on_side(reflected(direction, normal), true), false};
 }
 
 /// The angle between two directions of unit length; right for small angles too.
@@ -65,7 +69,7 @@ SeenThrough see_through(const Plan& plan, const World& world, RayState state, co
       continue;
     }
     if (!facts.specular() || facts.coats || (material.lit() && !facts.transmits)) {
-      seen.normal = hit.entering ? hit.normal : -hit.normal;
+      seen.normal = hit.facing_shading_normal();
       return seen;
     }
     const Turn turn = turn_at(plan, hit, state.ray.direction, facts.transmits);

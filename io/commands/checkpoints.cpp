@@ -61,10 +61,15 @@ public:
     }
     wait();
     busy_ = true;
-    thread_ = std::jthread([this, copy = copy_of(state, place)] {
-      keep([&] { write_state(file_, job_.info, copy); });
+    try {
+      thread_ = std::jthread([this, copy = copy_of(state, place)] {
+        keep([&] { write_state(file_, job_.info, copy); });
+        busy_ = false;
+      });
+    } catch (const std::exception&) { // there is no room for a copy
       busy_ = false;
-    });
+      keep_of_all(file_, job_, state);
+    }
   }
   /// Waits for the one that is being written.
   void wait() {

@@ -1,5 +1,6 @@
 #include "io/commands/diff_command.h"
 
+#include "core/scene/user_error.h"
 #include "io/console/exit_codes.h"
 #include "io/console/terminal.h"
 #include "io/images/write_png.h"
@@ -104,6 +105,13 @@ void add_options(CLI::App& app, DiffCommand& command) {
 }
 
 int run(const DiffCommand& command) {
+  for (const std::filesystem::path& input : {command.picture, command.reference}) {
+    std::error_code error; // what does not exist yet is no input
+    if (command.output && std::filesystem::equivalent(*command.output, input, error))
+      throw UserError(fmt::format("{}: the picture would replace one of those that are compared. "
+                                  "Give it another name",
+                                  command.output->string()));
+  }
   const ReadingOptions& options = command.options;
   const Chromaticity white = white_of(options, options.observer.value_or(Observer::cie1931_2deg));
   const PictureDifference difference =

@@ -97,7 +97,9 @@ void tell_table(const LensCommand& command, const LensSystem& lens,
 } // namespace
 
 void add_options(CLI::App& app, LensCommand& command) {
-  app.add_option("file", command.file, "Lens file (.lens)")->required()->type_name("FILE");
+  app.add_option("file", command.file, "Lens file (.lens, .zmx or .dat)")
+      ->required()
+      ->type_name("FILE");
   app.add_option("--field", command.field_deg,
                  "Angle of the light of the spots to the axis, in degrees (default 0)")
       ->check(CLI::Range(0.0, 89.0).description(""))

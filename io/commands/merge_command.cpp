@@ -35,7 +35,8 @@ std::vector<KeptPart> parts_in(const std::vector<fs::path>& files) {
 
 /// The scene of the parts, with their settings.
 SceneRequest scene_of(const MergeCommand& command, const StateInfo& info, InputFiles& inputs) {
-  SceneRequest request = read_request(command.scene_path.value_or(info.scene), {}, &inputs);
+  SceneRequest request = read_request(command.scene_path.value_or(info.scene), {}, &inputs,
+                                      Strictness::lenient); // it has been rendered
   request.settings = with_kept(request.settings, info.settings, {});
   request.settings.samples_per_pixel = info.samples;
   return request;

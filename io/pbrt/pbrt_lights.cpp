@@ -65,6 +65,8 @@ void read_pbrt_light(PbrtState& state, const SourcePosition& where, const std::s
   const double scale = read_scale(where, parameters);
   if (type == "infinite") {
     refuse_units(state, parameters, {"filename", "portal", "illuminance"});
+    if (!state.scene.background.zero())
+      refuse(state, where, "a second infinite light", "a scene has one background");
     state.scene.background = read_light_spectrum(state, parameters, "L").scaled(scale);
   } else if (type == "point") {
     refuse_units(state, parameters, {"power"});

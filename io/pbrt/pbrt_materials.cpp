@@ -60,6 +60,9 @@ ShapeMaterial diffuse_material(const PbrtTexture& reflectance) {
 PbrtMaterial read_conductor(PbrtState& state, PbrtParameters& parameters) {
   PbrtMaterial material;
   const PbrtTexture reflectance = read_reflectance(state, parameters, "reflectance", -1.0);
+  if (reflectance.pattern)
+    refuse(state, parameters.find("reflectance")->where, "a pattern on a conductor",
+           "one reflectance is read");
   const bool by_reflectance = reflectance.value.constant_value() != -1.0;
   Metal metal = *find_metal("Cu");
   if (const auto n = read_plain_spectrum(state, parameters, "eta")) metal.n = *n;
@@ -131,7 +134,7 @@ void read_pbrt_texture(PbrtState& state, const SourcePosition& where, PbrtParame
     texture = read_reflectance(state, parameters, "tex", 1.0);
     const double factor = parameters.number("scale", 1.0);
     if (texture.pattern) refuse(state, where, "a scaled pattern", "a constant is scaled");
-    texture.value = texture.value.scaled(factor);
+    texture.value = within_one(texture.value.scaled(factor));
   } else if (kind == "checkerboard") {
     CheckerTexture checker;
     checker.across = parameters.number("uscale", 1.0);
@@ -183,6 +186,12 @@ void read_pbrt_medium(PbrtState& state, const SourcePosition& where, const std::
   if (!scatters || !scatters->zero() || !absorbs)
     refuse(state, where, "a medium that scatters",
            "one that absorbs only has sigma_a, and 0 for sigma_s");
+  bool negative = scale < 0.0;
+  for (int k = 0; absorbs && k < kSampleCount; ++k)
+    negative = negative || absorbs->at(sample_nm(k)) < 0.0;
+  if (negative)
+    throw ReadError(where, fmt::format("the medium \"{}\" gives light", name),
+                    "its absorption or scale is below 0", "Give 0 or more");
   if (absorbs) state.media[name].absorption = absorbs->scaled(scale);
   parameters.ignore({"g", "preset"});
   refuse_unused(state, parameters);

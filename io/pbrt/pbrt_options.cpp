@@ -81,7 +81,7 @@ void read_sampler(const Statement& s) {
   s.state.scene.settings.samples_per_pixel =
       static_cast<int>(std::clamp(parameters.number("pixelsamples", 16.0), 1.0, 16777216.0));
   s.state.scene.settings.seed =
-      static_cast<std::uint64_t>(std::max(0.0, parameters.number("seed", 0.0)));
+      static_cast<std::uint64_t>(std::clamp(parameters.number("seed", 0.0), 0.0, 0x1p53));
 }
 void read_filter(const Statement& s) {
   const std::string type = s.string();

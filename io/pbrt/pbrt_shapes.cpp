@@ -235,6 +235,9 @@ void read_ply_mesh(PbrtState& state, const SourcePosition& where, PbrtParameters
   try {
     const MendedMesh read = mesh_of(read_regular_file(file), file, *format, state.warn);
     if (fills(state) && !read.mesh.is_closed()) throw open_mesh_error(where, read.open);
+    if (state.now.reversed && !read.mesh.is_closed())
+      refuse(state, where, "ReverseOrientation of an open PLY mesh",
+             "its triangles have the sides of the file");
     if (current(state).finish.texture)
       refuse(state, where, "a texture on a mesh",
              "u and v are known on spheres, disks and parallelograms");

@@ -149,8 +149,17 @@ PbrtTexture read_reflectance(PbrtState& state, PbrtParameters& parameters, std::
     return {rgb_reflectance({std::min(rgb.r, 1.0), std::min(rgb.g, 1.0), std::min(rgb.b, 1.0)}),
             std::nullopt};
   }
-  const Curve curve = plain(state, *found);
-  return {curve.constant_value() ? curve : curve.sampled81(), std::nullopt};
+  return {within_one(plain(state, *found)), std::nullopt};
+}
+
+Curve within_one(const Curve& curve) {
+  if (const auto value = curve.constant_value())
+    return Curve::constant(std::clamp(*value, 0.0, 1.0));
+  const Curve sampled = curve.sampled81();
+  std::vector<double> values;
+  for (int k = 0; k < kSampleCount; ++k)
+    values.push_back(std::clamp(sampled.at(sample_nm(k)), 0.0, 1.0));
+  return Curve::samples81(std::move(values));
 }
 
 Curve read_light_spectrum(PbrtState& state, PbrtParameters& parameters, std::string_view name) {

@@ -101,6 +101,8 @@ void refuse_unused(const PbrtState& state, const PbrtParameters& parameters);
 /// A reflectance, or the texture that the parameter names.
 [[nodiscard]] PbrtTexture read_reflectance(PbrtState& state, PbrtParameters& parameters,
                                            std::string_view name, double otherwise);
+/// The reflectance that is nearest to a curve: no less than 0 and no more than 1 in any sample.
+[[nodiscard]] Curve within_one(const Curve& curve);
 [[nodiscard]] Curve read_light_spectrum(PbrtState& state, PbrtParameters& parameters,
                                         std::string_view name);
 /// A spectrum as it stands, such as an index or an absorption; nothing where it is not given.

@@ -22,7 +22,7 @@ bool is_finite(const Xyz& c) {
   return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
 }
 
-/// All colours of a picture, and for each band the sum of its squares.
+/// All colours of a picture.
 std::vector<Xyz> colors_of(const fs::path& file, const PictureHeader& header,
                            const ColorSource& source) {
   const PictureColors colors(header, source, file.string());

@@ -65,11 +65,11 @@ PictureReading read_pixels(const std::filesystem::path& file, const std::vector<
 }
 
 std::vector<PixelPlace> pixels_on_line(const PixelPlace& from, const PixelPlace& to) {
-  const int dx = to.x - from.x, dy = to.y - from.y;
-  const int steps = std::max(std::abs(dx), std::abs(dy));
+  const double dx = double(to.x) - from.x, dy = double(to.y) - from.y;
+  const auto steps = static_cast<std::int64_t>(std::max(std::abs(dx), std::abs(dy)));
   std::vector<PixelPlace> places{from};
-  for (int i = 1; i <= steps; ++i) {
-    const double part = static_cast<double>(i) / steps;
+  for (std::int64_t i = 1; i <= steps; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(steps);
     places.push_back({from.x + static_cast<int>(std::lround(part * dx)),
                       from.y + static_cast<int>(std::lround(part * dy))});
   }
