@@ -32,9 +32,9 @@ double index_at(const Glass& glass, double nm) {
 /// The slope of n, per um, from a tenth of a nanometre to both sides: its error is that of a third
 /// derivative, 1e-7 of it in common glass.
 double slope_per_um(const Glass& glass, double nm) {
-  constexpr double kAside_nm = 0.1;
-  return (index_at(glass, nm + kAside_nm) - index_at(glass, nm - kAside_nm)) /
-         (2.0 * kAside_nm * 1e-3);
+  constexpr double kAsideNm = 0.1;
+  return (index_at(glass, nm + kAsideNm) - index_at(glass, nm - kAsideNm)) /
+         (2.0 * kAsideNm * 1e-3);
 }
 
 /// What a plate in air lets pass of light that meets it straight on, with all reflections between
