@@ -40,7 +40,7 @@ void read_camera(const Statement& s) {
 }
 
 void read_film(const Statement& s) {
-  const std::string type = s.string();
+  (void)s.string(); // all types of film are one
   PbrtParameters parameters = PbrtParameters::read(s.tokens);
   RenderSettings& settings = s.state.scene.settings;
   const auto size = [&](const char* name, double otherwise) {
@@ -69,10 +69,10 @@ void read_film(const Statement& s) {
 }
 
 void read_integrator(const Statement& s) {
-  const std::string type = s.string();
+  (void)s.string(); // whatever its type: all find the same light
   PbrtParameters parameters = PbrtParameters::read(s.tokens);
   RenderSettings& settings = s.state.scene.settings;
-  settings.integrator = Integrator::path; // whatever its type: all find the same light
+  settings.integrator = Integrator::path;
   settings.max_depth = static_cast<int>(std::clamp(parameters.number("maxdepth", 5.0), 0.0, 1e6));
 }
 void read_sampler(const Statement& s) {
