@@ -11,7 +11,7 @@
 namespace abbe {
 namespace {
 
-constexpr double kLightSpeed_m_per_s = 299792458.0; // in vacuum
+constexpr double kLightSpeedMPerS = 299792458.0; // in vacuum
 
 /// The factor of a prefix of units; empty for what is none. (source: Fichet2021)
 std::optional<double> factor_of(std::string_view prefix) {
@@ -40,7 +40,7 @@ std::optional<double> wavelength_nm(std::string_view text) {
   if (!factor) return std::nullopt;
   // Nanometres stay the number that is written.
   if (length) return unit == "nm" ? *value : *value * *factor * 1e9;
-  return kLightSpeed_m_per_s / (*value * *factor) * 1e9;
+  return kLightSpeedMPerS / (*value * *factor) * 1e9;
 }
 
 std::vector<SpectralChannel> channels_of_kind(std::span<const std::string> names,

@@ -99,9 +99,11 @@ enum class Verdict { agrees, undecided, differs };
                     hit->face.face == c.face && hit->entering == c.entering;
   if (!same) return fails();
   // A surface shifted by `rounding` is met rounding / cosine away; a curved one turns its normal
-  // by as much over its radius of curvature (1/27 at least for these maps).
+  // by as much over its radius of curvature (1/27 at least for these maps). The direction is
+  // rounded too, which shifts what is met far away, on planes without end, by twice 2^-53 of the
+  // way.
   const Real cosine = std::abs(glm::dot(c.normal, Vec(ray.direction)));
-  const Real shift = static_cast<Real>(rounding) / cosine;
+  const Real shift = (static_cast<Real>(rounding) + 0x1p-52L * std::abs(c.t)) / cosine;
   const bool close =
       std::abs(hit->t - c.t) <= shift &&
       glm::length(Vec(hit->point) - Vec(ray.origin) - c.t * Vec(ray.direction)) <= 2 * shift &&
