@@ -178,7 +178,7 @@ std::string right_text(const DisplaySetting& row) {
 }
 
 RenderSettings overridden(RenderSettings scene, const SettingsOverride& given) {
-  return with(scene, given);
+  return with(std::move(scene), given);
 }
 
 DisplaySettings overridden(DisplaySettings scene, const DisplayOverride& given) {
