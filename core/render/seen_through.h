@@ -3,6 +3,7 @@
 #include "core/bundles/bundle.h"
 #include "core/plan/plan.h"
 #include "geometry/world/world.h"
+#include "spectral/fraunhofer.h"
 
 #include <optional>
 
@@ -10,7 +11,7 @@ namespace abbe {
 
 /// The wavelength of the d line, by which glasses are known: the one ray that looks through glass
 /// for the layers that tell of it has this.
-inline constexpr double kSeenThroughNm = 587.5618;
+inline constexpr double kSeenThroughNm = kLineD_nm;
 
 /// What a camera ray meets that goes on by mirrors and glass.
 struct SeenThrough {

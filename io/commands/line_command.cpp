@@ -33,23 +33,18 @@ void tell_csv(const PixelReading& pixel) {
 }
 
 std::string json_of(const PixelReading& pixel, const ColorFacts& facts) {
-  std::string values;
-  for (const double value : pixel.bands)
-    values += (values.empty() ? "" : ", ") + json_number(value);
-  return fmt::format("  {{\"x\": {}, \"y\": {}, {}, \"values\": [{}]}}", pixel.place.x,
-                     pixel.place.y, json_members(listed(facts)), values);
+  return fmt::format("  {{\"x\": {}, \"y\": {}, {}, \"values\": {}}}", pixel.place.x, pixel.place.y,
+                     json_members(listed(facts)), json_list(pixel.bands));
 }
 
 void tell_json(const std::filesystem::path& file, const PictureReading& reading,
                const Chromaticity& white) {
-  std::string nm, pixels;
-  for (const double at : reading.wavelengths_nm)
-    nm += (nm.empty() ? "" : ", ") + json_number(at);
+  std::string pixels;
   for (const PixelReading& pixel : reading.pixels)
     pixels += (pixels.empty() ? "\n" : ",\n") +
               json_of(pixel, color_facts(pixel.color, white, reading.observer));
-  say(fmt::format("{{\"file\": {}, \"nm\": [{}], \"pixels\": [{}\n]}}", json_string(file.string()),
-                  nm, pixels));
+  say(fmt::format("{{\"file\": {}, \"nm\": {}, \"pixels\": [{}\n]}}", json_string(file.string()),
+                  json_list(reading.wavelengths_nm), pixels));
 }
 
 } // namespace

@@ -51,12 +51,6 @@ void tell_csv(const PictureReading& reading) {
 }
 
 void tell_json(const PixelCommand& command, const Told& told, const Chromaticity& white) {
-  const auto list = [](const std::vector<double>& values) {
-    std::string text;
-    for (const double value : values)
-      text += (text.empty() ? "" : ", ") + json_number(value);
-    return "[" + text + "]";
-  };
   const PixelReading& pixel = told.reading.pixels.front();
   std::string json =
       fmt::format("{{\"file\": {}, \"x\": {}, \"y\": {}, {}, \"white\": [{}, {}]",
@@ -65,8 +59,8 @@ void tell_json(const PixelCommand& command, const Told& told, const Chromaticity
   if (told.delta_e)
     json += fmt::format(", \"to\": [{}, {}], \"delta_e_2000\": {}", command.to[0], command.to[1],
                         json_number(*told.delta_e));
-  say(json + fmt::format(", \"nm\": {}, \"values\": {}}}", list(told.reading.wavelengths_nm),
-                         list(pixel.bands)));
+  say(json + fmt::format(", \"nm\": {}, \"values\": {}}}", json_list(told.reading.wavelengths_nm),
+                         json_list(pixel.bands)));
 }
 
 } // namespace

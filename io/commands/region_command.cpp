@@ -8,6 +8,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <array>
+
 namespace abbe {
 namespace {
 
@@ -37,19 +39,13 @@ void tell_csv(const RegionReading& region) {
 
 void tell_json(const RegionCommand& command, const RegionReading& region,
                const std::vector<Fact>& facts) {
-  const auto list = [](const std::vector<double>& values) {
-    std::string text;
-    for (const double value : values)
-      text += (text.empty() ? "" : ", ") + json_number(value);
-    return "[" + text + "]";
-  };
   const Xyz& d = region.deviation;
   say(fmt::format("{{\"file\": {}, \"region\": [{}, {}, {}, {}], \"pixels\": {}, {}, "
                   "\"XYZ_deviation\": {}, \"nm\": {}, \"values\": {}, \"deviations\": {}}}",
                   json_string(command.file.string()), command.x0, command.y0, command.x1,
-                  command.y1, region.pixels, json_members(facts), list({d.x, d.y, d.z}),
-                  list(region.wavelengths_nm), list(region.band_means),
-                  list(region.band_deviations)));
+                  command.y1, region.pixels, json_members(facts),
+                  json_list(std::array{d.x, d.y, d.z}), json_list(region.wavelengths_nm),
+                  json_list(region.band_means), json_list(region.band_deviations)));
 }
 
 } // namespace

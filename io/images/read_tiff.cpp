@@ -3,15 +3,13 @@
 #include "io/files/regular_file.h"
 #include "io/images/icc_profile.h"
 #include "io/images/read_image.h"
+#include "io/images/tiff_file.h"
 #include "spectral/transfer.h"
 
 #include <fmt/format.h>
-#include <tiffio.h>
 
 #include <array>
-#include <cstdarg>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <memory>
 #include <new>
@@ -20,46 +18,6 @@
 
 namespace abbe {
 namespace {
-
-struct CloseTiff {
-  void operator()(TIFF* tiff) const { TIFFClose(tiff); }
-};
-struct FreeOptions {
-  void operator()(TIFFOpenOptions* options) const { TIFFOpenOptionsFree(options); }
-};
-using TiffFile = std::unique_ptr<TIFF, CloseTiff>;
-using Options = std::unique_ptr<TIFFOpenOptions, FreeOptions>;
-
-/// The first error of a file; a plain array, since nothing may throw through libtiff.
-struct FirstError {
-  std::array<char, 256> text{};
-};
-
-extern "C" {
-static int keep_error_of_reading(TIFF*, void* user_data, const char*, const char* format,
-                                 va_list arguments) {
-  auto& text = static_cast<FirstError*>(user_data)->text;
-  if (text[0] == '\0') std::vsnprintf(text.data(), text.size(), format, arguments);
-  return 1; // handled: nothing goes to stderr
-}
-static int ignore_warning_of_reading(TIFF*, void*, const char*, const char*, va_list) {
-  return 1;
-}
-}
-
-[[noreturn]] void throw_first(const FirstError& error) {
-  throw std::runtime_error(error.text[0] != '\0' ? error.text.data() : "libtiff failed");
-}
-
-TiffFile open_tiff(const std::filesystem::path& path, FirstError& error) {
-  const Options options(TIFFOpenOptionsAlloc());
-  if (!options) throw std::bad_alloc();
-  TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keep_error_of_reading, &error);
-  TIFFOpenOptionsSetWarningHandlerExtR(options.get(), ignore_warning_of_reading, nullptr);
-  TiffFile tiff(TIFFOpenExt(path.c_str(), "r", options.get()));
-  if (!tiff) throw_first(error);
-  return tiff;
-}
 
 /// How the pixels lie in the file.
 struct Layout {
@@ -139,7 +97,7 @@ float value_at(const std::vector<std::byte>& row, std::size_t index, const Layou
 
 /// Three values for each pixel of some rows.
 std::vector<float> read_values(TIFF* tiff, const Layout& layout, const PixelWindow& rows,
-                               const FirstError& error) {
+                               const FirstTiffError& error) {
   require_image_memory(layout.width, static_cast<std::uint64_t>(rows.height()), 3 * sizeof(float));
   std::vector<std::byte> row(static_cast<std::size_t>(TIFFScanlineSize(tiff)));
   const bool apart = layout.planes == PLANARCONFIG_SEPARATE;
@@ -168,8 +126,8 @@ std::vector<float> read_values(TIFF* tiff, const Layout& layout, const PixelWind
 
 PictureValues read_tiff_picture(const std::filesystem::path& path, const PictureRequest& request) {
   require_regular_file(path);
-  FirstError error;
-  const TiffFile tiff = open_tiff(path, error);
+  FirstTiffError error;
+  const TiffFile tiff = open_tiff(path, "r", error);
   const Layout layout = layout_of(tiff.get());
   PictureValues picture{header_of(tiff.get(), layout), {}, {}, {}, {}};
   if (request.header_only) return picture;

@@ -2,15 +2,12 @@
 
 #include "io/files/atomic_file.h"
 #include "io/images/icc_profile.h"
+#include "io/images/tiff_file.h"
 #include "io/images/write_pixels.h"
-
-#include <tiffio.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdarg>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <memory>
 #include <span>
@@ -19,36 +16,6 @@
 
 namespace abbe {
 namespace {
-
-struct CloseTiff {
-  void operator()(TIFF* tiff) const { TIFFClose(tiff); }
-};
-struct FreeOptions {
-  void operator()(TIFFOpenOptions* options) const { TIFFOpenOptionsFree(options); }
-};
-using TiffFile = std::unique_ptr<TIFF, CloseTiff>;
-using Options = std::unique_ptr<TIFFOpenOptions, FreeOptions>;
-
-/// The first error of a file; a plain array, since nothing may throw through libtiff.
-struct FirstError {
-  std::array<char, 256> text{};
-};
-
-extern "C" {
-static int keep_first_error(TIFF*, void* user_data, const char*, const char* format,
-                            va_list arguments) {
-  auto& text = static_cast<FirstError*>(user_data)->text;
-  if (text[0] == '\0') std::vsnprintf(text.data(), text.size(), format, arguments);
-  return 1; // handled: nothing goes to stderr
-}
-static int ignore_warning(TIFF*, void*, const char*, const char*, va_list) {
-  return 1;
-}
-}
-
-[[noreturn]] void throw_first(const FirstError& error) {
-  throw std::runtime_error(error.text[0] != '\0' ? error.text.data() : "libtiff failed");
-}
 
 /// A row of values in the form in which it goes to the file.
 using Encode = void (*)(std::span<const float> values, std::byte* row);
@@ -67,17 +34,10 @@ struct Samples {
   }
 };
 
-TiffFile open_tiff(const std::filesystem::path& path, std::size_t byte_count, FirstError& error) {
-  const Options options(TIFFOpenOptionsAlloc());
-  if (!options) throw std::bad_alloc();
-  TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keep_first_error, &error);
-  TIFFOpenOptionsSetWarningHandlerExtR(options.get(), ignore_warning, nullptr);
-  // Little-endian on every machine; 64-bit offsets (BigTIFF) only where 32 bits may not do.
+/// Little-endian on every machine; 64-bit offsets (BigTIFF) only where 32 bits may not do.
+const char* mode_for(std::size_t byte_count) {
   constexpr std::size_t classic_limit = 0xF0000000;
-  const char* mode = byte_count < classic_limit ? "wl" : "wl8";
-  TiffFile tiff(TIFFOpenExt(path.c_str(), mode, options.get()));
-  if (!tiff) throw_first(error);
-  return tiff;
+  return byte_count < classic_limit ? "wl" : "wl8";
 }
 
 template <class... Values>
@@ -128,8 +88,8 @@ void set_texts(TIFF* tiff, const Samples& samples, const Metadata& metadata) {
 void save(const std::filesystem::path& path, const DisplayImage& image, const Samples& samples) {
   const std::size_t row_bytes = samples.row_bytes(image.data.width());
   const auto height = static_cast<std::uint32_t>(image.data.height());
-  FirstError error;
-  TiffFile tiff = open_tiff(path, row_bytes * height, error);
+  FirstTiffError error;
+  TiffFile tiff = open_tiff(path, mode_for(row_bytes * height), error);
   set_layout(tiff.get(), image.data, samples);
   if (image.data != image.display) set_crop(tiff.get(), image.display, image.data);
   set_texts(tiff.get(), samples, image.metadata);

@@ -10,6 +10,7 @@
 #include "io/libraries/glass_formulas.h"
 #include "io/libraries/read_glass_files.h"
 #include "io/text/numbers.h"
+#include "io/text/utf16.h"
 #include "spectral/data_table.h"
 
 #include <fmt/format.h>
@@ -27,15 +28,6 @@ namespace {
 /// Less than a millionth counts as a millionth, as for internalTransmittance.
 constexpr double kLeastTransmittance = 1e-6;
 
-/// Catalogues come in UTF-16 too; their names are ASCII.
-std::string narrow(std::string_view text) {
-  if (!text.starts_with("\xFF\xFE")) return std::string(text);
-  std::string narrow;
-  for (std::size_t i = 2; i + 1 < text.size(); i += 2)
-    narrow += text[i + 1] == '\0' ? text[i] : '?';
-  return narrow;
-}
-
 /// A glass as far as it is read.
 struct Entry {
   SourcePosition where;
@@ -47,7 +39,7 @@ struct Entry {
 class AgfReader {
 public:
   AgfReader(std::string_view text, const std::filesystem::path& file, const Warn& warn)
-      : text_(narrow(text)), where_{file.string(), 0, 1}, warn_(warn) {}
+      : text_(without_utf16(text)), where_{file.string(), 0, 1}, warn_(warn) {}
 
   std::vector<FileGlass> read() {
     std::string_view rest = text_;

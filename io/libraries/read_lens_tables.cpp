@@ -16,6 +16,7 @@
 
 #include "io/text/numbers.h"
 #include "io/text/similar_names.h"
+#include "io/text/utf16.h"
 #include "spectral/data_table.h"
 #include "spectral/glass.h"
 
@@ -33,13 +34,7 @@ namespace {
 class LensLines {
 public:
   LensLines(std::string_view text, const std::filesystem::path& file)
-      : where_{file.string(), 0, 1} {
-    if (text.starts_with("\xFF\xFE")) { // UTF-16, as Zemax writes it
-      for (std::size_t i = 2; i + 1 < text.size(); i += 2)
-        text_ += text[i + 1] == '\0' ? text[i] : '?';
-    } else {
-      text_ = text;
-    }
+      : text_(without_utf16(text)), where_{file.string(), 0, 1} {
     std::ranges::replace(text_, '\t', ' ');
     std::ranges::replace(text_, '\r', '\n');
     rest_ = text_;

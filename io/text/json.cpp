@@ -19,4 +19,11 @@ std::string json_number(double value) {
   return std::isfinite(value) ? fmt::format("{:.12g}", value) : "null";
 }
 
+std::string json_list(std::span<const double> values) {
+  std::string text;
+  for (const double value : values)
+    text += (text.empty() ? "" : ", ") + json_number(value);
+  return "[" + text + "]";
+}
+
 } // namespace abbe

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -10,5 +11,8 @@ namespace abbe {
 
 /// The number as JSON has it, to 12 digits; null for what JSON has no number for.
 [[nodiscard]] std::string json_number(double value);
+
+/// The numbers as an array of JSON.
+[[nodiscard]] std::string json_list(std::span<const double> values);
 
 } // namespace abbe

@@ -23,15 +23,19 @@ struct Desk {
   [[nodiscard]] std::filesystem::path operator/(const std::string& name) const {
     return folder.path / name;
   }
-  [[nodiscard]] Outcome abbe(const std::string& arguments) const {
-    const std::string all =
-        "cd '" + folder.path.string() + "' && '" ABBE_EXECUTABLE "' " + arguments + " >out 2>error";
+  /// Runs the shell's command, in which $abbe is the program.
+  [[nodiscard]] Outcome shell(const std::string& command) const {
+    const std::string all = "cd '" + folder.path.string() + "' && abbe='" ABBE_EXECUTABLE "'; { " +
+                            command + "; } >out 2>error";
     const int status = std::system(all.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder.path / "out"),
             content(folder.path / "error")};
   }
+  [[nodiscard]] Outcome abbe(const std::string& arguments) const {
+    return shell("\"$abbe\" " + arguments);
+  }
   /// Runs the program, which must end with 0, and returns what it says on standard output.
-  [[nodiscard]] std::string run(const std::string& arguments) const {
+  std::string run(const std::string& arguments) const {
     const Outcome outcome = abbe(arguments);
     INFO(arguments << "\n" << outcome.error);
     REQUIRE(outcome.exit_code == 0);

@@ -71,8 +71,7 @@ constexpr Permission kPermissions[] = {
     {"io/images/read_in_child.cpp", "unistd.h"},
     {"io/images/write_exr.cpp", "OpenEXR/"},
     {"io/images/write_exr.cpp", "Imath/"}, // a part of OpenEXR
-    {"io/images/read_tiff.cpp", "tiffio.h"},
-    {"io/images/write_tiff.cpp", "tiffio.h"},
+    {"io/images/tiff_file.h", "tiffio.h"},
     {"io/images/write_png.cpp", "png.h"},
     {"io/images/icc_profile.cpp", "lcms2.h"},
     {"io/files/atomic_file.cpp", "fcntl.h"},
