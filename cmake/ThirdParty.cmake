@@ -28,6 +28,17 @@ set_target_properties(lcms2::lcms2 PROPERTIES
   IMPORTED_LOCATION "${LCMS2_LIBRARY}"
   INTERFACE_INCLUDE_DIRECTORIES "${LCMS2_INCLUDE_DIR}")
 
+# Looks by OpenColorIO are there where it is found. Debian 12 puts its configuration for CMake where
+# CMake does not look, with paths that fit elsewhere.
+find_path(OCIO_INCLUDE_DIR OpenColorIO/OpenColorIO.h)
+find_library(OCIO_LIBRARY OpenColorIO)
+if(OCIO_INCLUDE_DIR AND OCIO_LIBRARY)
+  add_library(ocio::ocio UNKNOWN IMPORTED)
+  set_target_properties(ocio::ocio PROPERTIES
+    IMPORTED_LOCATION "${OCIO_LIBRARY}"
+    INTERFACE_INCLUDE_DIRECTORIES "${OCIO_INCLUDE_DIR}")
+endif()
+
 if(ABBE_TESTS)
   find_package(Catch2 CONFIG REQUIRED)
   message(STATUS "Catch2 ${Catch2_VERSION}")

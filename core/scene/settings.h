@@ -84,6 +84,8 @@ struct RenderSettings {
   /// The bands of each group of lights are kept under light of equal energy, and all decisions are
   /// those under such light, so that lamps can be changed without tracing a ray.
   bool relightable = false;
+  /// Each band's part of the picture is kept as a colour.
+  bool band_images = false;
 
   int max_depth = kNoDepthLimit; ///< how often a path may be reflected or refracted
   /// A branch whose every band carries less is followed at random, and then carries this.

@@ -78,7 +78,9 @@ public:
 
 private:
   static std::optional<BandPlace> bands_of(const RenderState& state, const BandPlace& place) {
-    return state.film.bands() > 0 ? std::optional(place) : std::nullopt;
+    BandPlace as_it_is = place;
+    as_it_is.spectra = state.film.bands() > 0;
+    return as_it_is;
   }
   const std::filesystem::path& file_;
   const RenderJob& job_;

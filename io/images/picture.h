@@ -23,6 +23,7 @@ struct PictureHeader {
   bool has_color = false;             ///< false where it holds other things only
   Metadata metadata;                  ///< its texts by their names
   std::string unknown_tag;            ///< of its colour space, where we do not know it
+  std::optional<CameraMatrices> camera = {};
 };
 
 /// Rows of a picture, counted as its windows do.

@@ -74,6 +74,7 @@ constexpr Permission kPermissions[] = {
     {"io/images/tiff_file.h", "tiffio.h"},
     {"io/images/write_png.cpp", "png.h"},
     {"io/images/icc_profile.cpp", "lcms2.h"},
+    {"io/images/ocio_look.cpp", "OpenColorIO/"},
     {"io/files/atomic_file.cpp", "fcntl.h"},
     {"io/files/atomic_file.cpp", "sys/file.h"},
     {"io/files/atomic_file.cpp", "sys/stat.h"},
