@@ -31,9 +31,24 @@ set(ABBE_PRECOMPILED
 target_compile_options(abbe_flags INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread>)
 
+# With CMAKE_UNITY_BUILD, as the preset fuzz and the lint set it, the sources of one room are compiled
+# as one: a quarter of the time. So two sources of a room share no name that is hidden in each.
+function(abbe_unite_rooms target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  foreach(source IN LISTS ARGN)
+    if(IS_ABSOLUTE "${source}")
+      continue() # what the build makes
+    endif()
+    cmake_path(GET source PARENT_PATH room)
+    string(MAKE_C_IDENTIFIER "room_${room}" group)
+    set_source_files_properties("${source}" PROPERTIES UNITY_GROUP ${group})
+  endforeach()
+endfunction()
+
 # abbe_add_library(folder source...): the static library abbe_<folder> of one folder.
 function(abbe_add_library folder)
   add_library(abbe_${folder} STATIC ${ARGN})
+  abbe_unite_rooms(abbe_${folder} ${ARGN})
   target_link_libraries(abbe_${folder} PUBLIC abbe_flags)
   target_precompile_headers(abbe_${folder} PRIVATE ${ABBE_PRECOMPILED})
 endfunction()

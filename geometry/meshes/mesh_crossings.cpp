@@ -10,7 +10,7 @@
 namespace abbe {
 namespace {
 
-constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNoReach = std::numeric_limits<float>::infinity();
 
 /// A float not less than `value`.
 float rounded_up(double value) {
@@ -266,7 +266,7 @@ private:
   MeshSearch search_;
   BoxRay boxes_;
   ShearedLine line_;
-  float reach_ = kFloatInfinity;
+  float reach_ = kNoReach;
   MeshCrossings found_;
 };
 

@@ -138,14 +138,14 @@ PictureValues unpacked(ChildMessage message) {
 }
 
 /// Null for a name of no picture.
-const InputFormat* find_format(const fs::path& file) {
+const InputFormat* find_input_format(const fs::path& file) {
   for (const InputFormat& format : kInputFormats)
     if (same_name(format.extension, file.extension().string())) return &format;
   return nullptr;
 }
 
 const InputFormat& format_of(const fs::path& file) {
-  if (const InputFormat* format = find_format(file)) return *format;
+  if (const InputFormat* format = find_input_format(file)) return *format;
   throw UserError(fmt::format("{}: no picture is read under this name. It should end in .exr, "
                               ".tif, .tiff or .png",
                               file.string()));
@@ -154,7 +154,7 @@ const InputFormat& format_of(const fs::path& file) {
 } // namespace
 
 bool is_picture_name(const fs::path& file) {
-  return find_format(file) != nullptr;
+  return find_input_format(file) != nullptr;
 }
 
 PictureValues read_picture(const fs::path& file, const PictureRequest& request) {
