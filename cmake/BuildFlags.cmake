@@ -3,10 +3,14 @@ set(ABBE_SANITIZE "" CACHE STRING "Comma-separated sanitizers, e.g. address,unde
 option(ABBE_TRAPS "Invalid operations, divisions by zero and overflows end the tests" OFF)
 
 add_library(abbe_flags INTERFACE)
-target_include_directories(abbe_flags INTERFACE "${PROJECT_SOURCE_DIR}")
-# No contraction into fused multiply-adds: a packet and a single ray must round alike.
-target_compile_options(abbe_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
+include(GNUInstallDirs)
+target_include_directories(abbe_flags INTERFACE
+  "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>" "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/abbe>")
+target_compile_features(abbe_flags INTERFACE cxx_std_20)
+# No contraction into fused multiply-adds: a packet and a single ray must round alike. Whoever links an
+# installed abbe chooses the warnings alone.
+set(warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor)
+target_compile_options(abbe_flags INTERFACE "$<BUILD_INTERFACE:${warnings}>"
   -march=${ABBE_ARCH} -ffp-contract=off -fno-math-errno)
 if(ABBE_TRAPS)
   target_compile_options(abbe_flags INTERFACE -ftrapping-math)

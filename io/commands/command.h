@@ -7,6 +7,7 @@
 #include "io/commands/lens_command.h"
 #include "io/commands/line_command.h"
 #include "io/commands/list_command.h"
+#include "io/commands/manual_command.h"
 #include "io/commands/merge_command.h"
 #include "io/commands/pixel_command.h"
 #include "io/commands/plan_command.h"
@@ -35,6 +36,6 @@ struct Answered {
 using Command =
     std::variant<Answered, RenderCommand, MergeCommand, DevelopCommand, RelightCommand, PlanCommand,
                  ListCommand, GlassCommand, LensCommand, InfoCommand, PixelCommand, LineCommand,
-                 RegionCommand, DiffCommand, SelftestCommand>;
+                 RegionCommand, DiffCommand, SelftestCommand, ManualCommand>;
 
 } // namespace abbe
