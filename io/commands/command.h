@@ -14,6 +14,7 @@
 #include "io/commands/relight_command.h"
 #include "io/commands/render_command.h"
 #include "io/commands/selftest_command.h"
+#include "io/commands/view_command.h"
 
 #include <variant>
 
@@ -35,6 +36,6 @@ struct Answered {
 using Command =
     std::variant<Answered, RenderCommand, MergeCommand, DevelopCommand, RelightCommand, PlanCommand,
                  ListCommand, GlassCommand, LensCommand, InfoCommand, PixelCommand, LineCommand,
-                 RegionCommand, DiffCommand, SelftestCommand>;
+                 RegionCommand, DiffCommand, ViewCommand, SelftestCommand>;
 
 } // namespace abbe
