@@ -15,6 +15,7 @@
 #include "io/commands/relight_command.h"
 #include "io/commands/render_command.h"
 #include "io/commands/selftest_command.h"
+#include "io/commands/view_command.h"
 
 #include <variant>
 
@@ -36,6 +37,6 @@ struct Answered {
 using Command =
     std::variant<Answered, RenderCommand, MergeCommand, DevelopCommand, RelightCommand, PlanCommand,
                  ListCommand, GlassCommand, LensCommand, InfoCommand, PixelCommand, LineCommand,
-                 RegionCommand, DiffCommand, SelftestCommand, ManualCommand>;
+                 RegionCommand, DiffCommand, ViewCommand, SelftestCommand, ManualCommand>;
 
 } // namespace abbe
