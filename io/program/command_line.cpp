@@ -27,7 +27,7 @@ std::vector<std::string> given_options(const CLI::App& app) {
 }
 
 OptionFacts facts_of(const CLI::Option& option) {
-  OptionFacts facts{.value = option.get_type_name(), .help = option.get_description()};
+  OptionFacts facts{{}, option.get_type_name(), option.get_description(), false};
   for (const std::string& name : option.get_snames())
     facts.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames())
