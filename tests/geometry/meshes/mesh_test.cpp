@@ -264,7 +264,8 @@ TEST_CASE("mesh: the face by which a ray goes where it is moved least is what br
     };
     Real least = INFINITY;
     for (const auto& t : soup.triangles)
-      least = std::min(least, move(t));
+      if (glm::length(t[0] - Vec(ray.origin)) - 0.5L < least) // no edge is longer
+        least = std::min(least, move(t));
     const auto [face, at] = nearest_face(ring, ray, entering);
     CHECK(std::abs(at - least) < 1e-12L);
     CHECK(std::abs(move(soup.triangles[static_cast<std::size_t>(face)]) - least) < 1e-12L);
