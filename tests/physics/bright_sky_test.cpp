@@ -59,7 +59,7 @@ TEST_CASE("a sky's light through glass is the same, however much of it goes by l
 TEST_CASE("what the camera sees of a bright sky by mirrors and glass stays in the picture") {
   const auto seen = [](const std::string& body, double from) {
     Scene scene =
-        test::scene_from("integrator path eye 0 0 5 up 0 0 -1 lookAt 0 0.001 0 fieldOfView 20 "
+        test::scene_from("integrator path eye 0 5 0 up 0 0 -1 lookAt 0 0 0 fieldOfView 20 "
                          "imageSize 8 8 samples 32 filter box\n" +
                          body);
     scene.environment = sky();
