@@ -79,7 +79,7 @@ std::optional<double> read_optional(std::string_view text) {
   return parse_number(text);
 }
 
-std::vector<Glass> load_catalogue() {
+std::vector<Glass> load_glasses() {
   const DataTable table{embedded_table("glass.csv")};
   std::vector<Glass> list;
   for (int row = 0; row < table.row_count(); ++row) {
@@ -95,7 +95,7 @@ std::vector<Glass> load_catalogue() {
 } // namespace
 
 const std::vector<Glass>& glass_catalogue() {
-  static const std::vector<Glass> list = load_catalogue();
+  static const std::vector<Glass> list = load_glasses();
   return list;
 }
 

@@ -8,7 +8,7 @@ namespace abbe {
 namespace {
 
 // Each file of data/conductors/ is one metal, named after it.
-std::vector<Metal> load_catalogue() {
+std::vector<Metal> load_metals() {
   constexpr std::string_view kFolder = "conductors/";
   constexpr std::string_view kEnding = ".csv";
   std::vector<Metal> list;
@@ -29,7 +29,7 @@ std::vector<Metal> load_catalogue() {
 } // namespace
 
 const std::vector<Metal>& metal_catalogue() {
-  static const std::vector<Metal> list = load_catalogue();
+  static const std::vector<Metal> list = load_metals();
   return list;
 }
 

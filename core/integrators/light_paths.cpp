@@ -128,6 +128,7 @@ bool LightPaths::start(const EmittedRay& ray) {
     const float carried = live[b];
     row[b] = all || factor[b] != 0.0f ? carried : 0.0f;
   }
+  if (ray.environment) plan_.environment->scale(-ray.state.ray.direction, {row, lit});
   return true;
 }
 

@@ -78,7 +78,8 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
     sources.add(light.spectrum);
   plan_materials(scene, plan, sources);
   if (scene.environment) {
-    plan.environment = EnvironmentMap::make(*scene.environment, table_wavelengths(plan));
+    plan.environment =
+        EnvironmentMap::make(*scene.environment, table_wavelengths(plan), settings.bright_sky);
     if (plan.environment) plan.environment_source = sources.add(scene.environment->light);
   }
   plan_groups(scene, plan);

@@ -95,7 +95,9 @@ struct RenderSettings {
   ShadowRule shadows = ShadowRule::automatic;
 
   Caustics caustics = Caustics::automatic;
-  double light_paths = 1.0;   ///< light paths per camera sample
+  double light_paths = 1.0; ///< light paths per camera sample
+  /// Light of the environment above this many times its mean luminance goes by light paths, too.
+  double bright_sky = 8.0;
   double photon_radius = 0.0; ///< of the first pass, in scene units; 0: by the scene's size
 
   bool exact = false;             ///< each band has its own ray: no tolerance, no roulette

@@ -7,6 +7,7 @@
 #include "io/commands/lens_command.h"
 #include "io/commands/line_command.h"
 #include "io/commands/list_command.h"
+#include "io/commands/manual_command.h"
 #include "io/commands/merge_command.h"
 #include "io/commands/pixel_command.h"
 #include "io/commands/plan_command.h"
@@ -14,6 +15,7 @@
 #include "io/commands/relight_command.h"
 #include "io/commands/render_command.h"
 #include "io/commands/selftest_command.h"
+#include "io/commands/view_command.h"
 
 #include <variant>
 
@@ -35,6 +37,6 @@ struct Answered {
 using Command =
     std::variant<Answered, RenderCommand, MergeCommand, DevelopCommand, RelightCommand, PlanCommand,
                  ListCommand, GlassCommand, LensCommand, InfoCommand, PixelCommand, LineCommand,
-                 RegionCommand, DiffCommand, SelftestCommand>;
+                 RegionCommand, DiffCommand, ViewCommand, SelftestCommand, ManualCommand>;
 
 } // namespace abbe

@@ -2,7 +2,7 @@
 
 #include "io/commands/state_options.h"
 #include "io/images/write_image.h"
-#include "io/pbrt/strictness.h"
+#include "io/building/strictness.h"
 #include "io/settings/setting_text.h"
 
 #include <filesystem>

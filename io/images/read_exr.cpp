@@ -265,6 +265,8 @@ PictureValues read_exr_picture(const std::filesystem::path& path, const PictureR
   const Imf::Channel* alpha = header.channels().findChannel("A");
   if (request.alpha && alpha != nullptr && is_full(*alpha))
     targets.push_back({{"A"}, 1, picture.alpha});
+  if (!request.channels.empty())
+    targets.push_back({request.channels, request.channels.size(), picture.layers});
   if (targets.empty()) return picture;
   read_rows(file, picture.part, targets);
   if (colors.size() == 1)

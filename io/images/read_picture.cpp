@@ -123,8 +123,9 @@ ChildMessage packed(PictureValues picture) {
     packer.add(*matrix);
   packer.add(fmt::format("{}", picture.rgb.size()));
   packer.add(fmt::format("{}", picture.alpha.size()));
+  packer.add(fmt::format("{}", picture.layers.size()));
   ChildMessage message{std::move(packer).packed(), std::move(picture.rgb)};
-  for (const auto* values : {&picture.alpha, &picture.bands})
+  for (const auto* values : {&picture.alpha, &picture.layers, &picture.bands})
     message.values.insert(message.values.end(), values->begin(), values->end());
   return message;
 }
@@ -157,23 +158,25 @@ PictureValues unpacked(ChildMessage message) {
   if (matrices > 1) header.camera->world_to_image = unpacker.matrix();
   const auto colors = static_cast<std::ptrdiff_t>(parse_whole(unpacker.text()).value());
   const auto alphas = static_cast<std::ptrdiff_t>(parse_whole(unpacker.text()).value());
-  const auto alpha = message.values.begin() + colors;
-  picture.alpha.assign(alpha, alpha + alphas);
-  picture.bands.assign(alpha + alphas, message.values.end());
+  const auto layers = static_cast<std::ptrdiff_t>(parse_whole(unpacker.text()).value());
+  const auto alpha = message.values.begin() + colors, layer = alpha + alphas;
+  picture.alpha.assign(alpha, layer);
+  picture.layers.assign(layer, layer + layers);
+  picture.bands.assign(layer + layers, message.values.end());
   message.values.resize(static_cast<std::size_t>(colors));
   picture.rgb = std::move(message.values);
   return picture;
 }
 
 /// Null for a name of no picture.
-const InputFormat* find_format(const fs::path& file) {
+const InputFormat* find_input_format(const fs::path& file) {
   for (const InputFormat& format : kInputFormats)
     if (same_name(format.extension, file.extension().string())) return &format;
   return nullptr;
 }
 
 const InputFormat& format_of(const fs::path& file) {
-  if (const InputFormat* format = find_format(file)) return *format;
+  if (const InputFormat* format = find_input_format(file)) return *format;
   throw UserError(fmt::format("{}: no picture is read under this name. It should end in .exr, "
                               ".tif, .tiff or .png",
                               file.string()));
@@ -182,7 +185,7 @@ const InputFormat& format_of(const fs::path& file) {
 } // namespace
 
 bool is_picture_name(const fs::path& file) {
-  return find_format(file) != nullptr;
+  return find_input_format(file) != nullptr;
 }
 
 PictureValues read_picture(const fs::path& file, const PictureRequest& request) {

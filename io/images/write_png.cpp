@@ -23,19 +23,19 @@
 namespace abbe {
 namespace {
 
-struct CloseFile {
+struct CloseOutput {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
-using File = std::unique_ptr<std::FILE, CloseFile>;
+using File = std::unique_ptr<std::FILE, CloseOutput>;
 
 /// libpng's message, copied before it jumps back.
-struct PngError {
+struct PngWriteError {
   std::array<char, 256> text{};
 };
 
 extern "C" {
 static void jump_back(png_structp png, png_const_charp message) {
-  auto& text = static_cast<PngError*>(png_get_error_ptr(png))->text;
+  auto& text = static_cast<PngWriteError*>(png_get_error_ptr(png))->text;
   std::snprintf(text.data(), text.size(), "%s", message);
   png_longjmp(png, 1);
 }
@@ -43,9 +43,9 @@ static void ignore_warning(png_structp, png_const_charp) {}
 }
 
 /// libpng's two handles.
-class PngHandles {
+class PngWriteHandles {
 public:
-  explicit PngHandles(PngError& error)
+  explicit PngWriteHandles(PngWriteError& error)
       : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &error, jump_back, ignore_warning)),
         info(png != nullptr ? png_create_info_struct(png) : nullptr) {
     if (info == nullptr) {
@@ -53,9 +53,9 @@ public:
       throw std::runtime_error(error.text[0] != '\0' ? error.text.data() : "libpng failed");
     }
   }
-  PngHandles(const PngHandles&) = delete;
-  PngHandles& operator=(const PngHandles&) = delete;
-  ~PngHandles() { png_destroy_write_struct(&png, &info); }
+  PngWriteHandles(const PngWriteHandles&) = delete;
+  PngWriteHandles& operator=(const PngWriteHandles&) = delete;
+  ~PngWriteHandles() { png_destroy_write_struct(&png, &info); }
 
   png_structp png;
   png_infop info;
@@ -147,8 +147,8 @@ void save(const std::filesystem::path& path, const DisplayImage& image, IccVersi
                            srgb ? std::vector<std::byte>{} : icc_profile(image.encoding, profile)};
   File file(std::fopen(path.c_str(), "wb"));
   if (!file) throw std::system_error(errno, std::generic_category());
-  PngError error;
-  const PngHandles handles(error);
+  PngWriteError error;
+  const PngWriteHandles handles(error);
   if (!encode(handles.png, handles.info, file.get(), content))
     throw std::runtime_error(error.text.data());
   if (std::fclose(file.release()) != 0) throw std::system_error(errno, std::generic_category());

@@ -2,7 +2,7 @@
 
 #include "io/building/scene_builder.h"
 #include "io/pbrt/pbrt_parameters.h"
-#include "io/pbrt/strictness.h"
+#include "io/building/strictness.h"
 #include "io/scene_language/input_files.h"
 #include "spectral/curve.h"
 

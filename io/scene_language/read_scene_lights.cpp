@@ -187,7 +187,7 @@ void read_soft_edge(SceneState& state, Arguments& arguments) {
       arguments.number({"the width of a spotlight's edge, in degrees", 0.0, 90.0});
 }
 
-constexpr std::array kKeywords{
+constexpr std::array kLightKeywords{
     SceneKeyword{"light x y z r g b | NAME x y z LOCALITY", read_light},
     SceneKeyword{"spotlight NAME x y z LOCALITY dx dy dz angle", read_spotlight},
     SceneKeyword{"sun x y z [SPECTRUM]", read_sun},
@@ -201,7 +201,7 @@ constexpr std::array kKeywords{
 } // namespace
 
 std::span<const SceneKeyword> light_keywords() {
-  return kKeywords;
+  return kLightKeywords;
 }
 
 } // namespace abbe

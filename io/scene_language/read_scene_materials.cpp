@@ -158,7 +158,7 @@ void read_priority(SceneState& state, Arguments& arguments) {
   state.priority = static_cast<int>(arguments.whole_number({"a rank", -kMost, kMost}));
 }
 
-constexpr std::array kKeywords{
+constexpr std::array kMaterialKeywords{
     SceneKeyword{"UseMaterial NAME", read_use_material, true},
     SceneKeyword{"ambient r g b | FILE", read_part<&Material::ambient>, true},
     SceneKeyword{"diffuse r g b | FILE", read_part<&Material::diffuse>, true},
@@ -220,7 +220,7 @@ CurrentMaterial read_clear_glass(SceneState& state, Arguments& arguments) {
 }
 
 std::span<const SceneKeyword> material_keywords() {
-  return kKeywords;
+  return kMaterialKeywords;
 }
 
 } // namespace abbe
