@@ -183,9 +183,10 @@ TEST_CASE("every member of the settings has its row") {
   [[maybe_unused]] const auto& [width, height, crop, bands, observer, samples, noise, seconds,
                                 adaptive, keep_errors, seed, integrator, filter, sky, layers,
                                 relightable, max_depth, min_throughput, min_reflectivity,
-                                min_transparency, shadows, caustics, light_paths, photon_radius,
-                                exact, jitter, tolerance, max_fan, threads, skip, tracing] = render;
-  CHECK(render_setting_table().size() == 31 - 1); // width and height are one setting
+                                min_transparency, shadows, caustics, light_paths, bright_sky,
+                                photon_radius, exact, jitter, tolerance, max_fan, threads, skip,
+                                tracing] = render;
+  CHECK(render_setting_table().size() == 32 - 1); // width and height are one setting
   const DisplaySettings display;
   [[maybe_unused]] const auto& [exposure, gamut, space, transfer, white_point, adaptation, tone] =
       display;
