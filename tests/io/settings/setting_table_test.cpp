@@ -49,6 +49,7 @@ const std::map<std::string_view, Example> kExamples{
     {"--fan", "12"},
     {"--caustics", "on"},
     {"--light-paths", "0.5"},
+    {"--bright-sky", "2.5"},
     {"--photon-radius", "0.2"},
     {"--errors", {"on", ""}},
     {"--layers", {"", "transmittance,depth"}},
