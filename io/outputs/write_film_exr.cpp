@@ -5,10 +5,12 @@
 #include "core/image/metadata.h"
 #include "core/image/relight.h"
 #include "io/outputs/output_names.h"
+#include "io/states/state_info.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace abbe {
 namespace {
@@ -38,11 +40,17 @@ bool half_holds(const Film& film, const Plan& plan, SceneLinearSpace space) {
   return fits;
 }
 
+/// Which version of the program has made the picture.
+std::pair<std::string, std::string> version() {
+  return {"abbe/version", program_version()};
+}
+
 } // namespace
 
 FilmExrs::FilmExrs(const Film& film, const Plan& plan, const OutputOptions& options)
     : film_(film), plan_(plan), options_(options), metadata_(scene_linear_metadata(film, plan)),
       pixel_(options.exr_pixel) {
+  metadata_.emplace_back(version());
   if (pixel_ == ExrPixel::half && !half_holds(film, plan, options.exr_space))
     pixel_ = ExrPixel::single;
 }
@@ -101,7 +109,8 @@ std::string FilmExrs::write_band(const fs::path& file, int band) const {
 }
 
 std::string FilmExrs::write_bands(const fs::path& file) const {
-  const Metadata of_film = film_metadata(film_);
+  Metadata of_film = film_metadata(film_);
+  of_film.emplace_back(version());
   const auto develop = [&](const PixelWindow& rows) {
     SpectralImage image = develop_spectral(film_, plan_, rows);
     image.metadata.insert(image.metadata.end(), of_film.begin(), of_film.end());

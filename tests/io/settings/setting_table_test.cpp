@@ -49,6 +49,7 @@ const std::map<std::string_view, Example> kExamples{
     {"--fan", "12"},
     {"--caustics", "on"},
     {"--light-paths", "0.5"},
+    {"--bright-sky", "2.5"},
     {"--photon-radius", "0.2"},
     {"--errors", {"on", ""}},
     {"--layers", {"", "transmittance,depth"}},
@@ -186,9 +187,9 @@ TEST_CASE("every member of the settings has its row") {
                                 adaptive, keep_errors, seed, integrator, filter, sky, layers,
                                 relightable, band_images, max_depth, min_throughput,
                                 min_reflectivity, min_transparency, shadows, caustics, light_paths,
-                                photon_radius, exact, jitter, tolerance, max_fan, threads, skip,
-                                tracing] = render;
-  CHECK(render_setting_table().size() == 32 - 1); // width and height are one setting
+                                bright_sky, photon_radius, exact, jitter, tolerance, max_fan,
+                                threads, skip, tracing] = render;
+  CHECK(render_setting_table().size() == 33 - 1); // width and height are one setting
   const DisplaySettings display;
   [[maybe_unused]] const auto& [exposure, gamut, space, transfer, white_point, adaptation, tone] =
       display;
