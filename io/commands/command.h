@@ -10,6 +10,7 @@
 #include "io/commands/merge_command.h"
 #include "io/commands/pixel_command.h"
 #include "io/commands/plan_command.h"
+#include "io/commands/preview_command.h"
 #include "io/commands/region_command.h"
 #include "io/commands/relight_command.h"
 #include "io/commands/render_command.h"
@@ -36,6 +37,6 @@ struct Answered {
 using Command =
     std::variant<Answered, RenderCommand, MergeCommand, DevelopCommand, RelightCommand, PlanCommand,
                  ListCommand, GlassCommand, LensCommand, InfoCommand, PixelCommand, LineCommand,
-                 RegionCommand, DiffCommand, ViewCommand, SelftestCommand>;
+                 RegionCommand, DiffCommand, ViewCommand, PreviewCommand, SelftestCommand>;
 
 } // namespace abbe
