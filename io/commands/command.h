@@ -11,6 +11,7 @@
 #include "io/commands/merge_command.h"
 #include "io/commands/pixel_command.h"
 #include "io/commands/plan_command.h"
+#include "io/commands/preview_command.h"
 #include "io/commands/region_command.h"
 #include "io/commands/relight_command.h"
 #include "io/commands/render_command.h"
@@ -37,6 +38,6 @@ struct Answered {
 using Command =
     std::variant<Answered, RenderCommand, MergeCommand, DevelopCommand, RelightCommand, PlanCommand,
                  ListCommand, GlassCommand, LensCommand, InfoCommand, PixelCommand, LineCommand,
-                 RegionCommand, DiffCommand, ViewCommand, SelftestCommand, ManualCommand>;
+                 RegionCommand, DiffCommand, ViewCommand, PreviewCommand, SelftestCommand, ManualCommand>;
 
 } // namespace abbe
