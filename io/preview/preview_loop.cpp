@@ -45,6 +45,24 @@ PreviewPicture picture_of(const SceneLinearImage& image, const std::string& laye
   return picture;
 }
 
+/// Puts the coarse picture in the place of pixels that have no samples yet.
+void fill_missing(PreviewPicture& picture, const Film& film, const PreviewPicture& coarse) {
+  if (coarse.channels != picture.channels) return;
+  const auto channels = static_cast<std::size_t>(picture.channels);
+  const PixelWindow& part = coarse.part;
+  for_each_pixel(picture.part, [&](int x, int y) {
+    if (film.samples(x, y) > 0) return;
+    const int from_x =
+        std::clamp(x * coarse.frame.width() / picture.frame.width(), part.x0, part.x1 - 1);
+    const int from_y =
+        std::clamp(y * coarse.frame.height() / picture.frame.height(), part.y0, part.y1 - 1);
+    const std::size_t from = channels * part.index(from_x, from_y);
+    const std::size_t to = channels * picture.part.index(x, y);
+    for (std::size_t k = 0; k < channels; ++k)
+      picture.values[to + k] = coarse.values[from + k];
+  });
+}
+
 /// The settings of a picture of some hundred pixels a side with one sample each, which comes at
 /// once; nothing where the picture itself is no larger.
 std::optional<RenderSettings> coarse(RenderSettings settings) {
@@ -90,6 +108,7 @@ private:
   PreviewReport report_;
   Clock::time_point since_;
   bool first_shown_ = false;
+  std::optional<PreviewPicture> coarse_; ///< the first picture of a rendering
 };
 
 void Preview::read(FileWatch& files) {
@@ -108,7 +127,12 @@ void Preview::read(FileWatch& files) {
 }
 
 void Preview::show(const RenderState& state, const Plan& plan, const std::string& layer) {
-  board_.show(picture_of(develop_scene_linear(state.film, plan), layer));
+  PreviewPicture picture = picture_of(develop_scene_linear(state.film, plan), layer);
+  if (coarse_)
+    fill_missing(picture, state.film, *coarse_);
+  else
+    coarse_ = picture;
+  board_.show(std::move(picture));
   if (!first_shown_) report_.first_picture_seconds = seconds_since(since_);
   first_shown_ = true;
 }
@@ -156,6 +180,7 @@ void Preview::render_at(const RenderSettings& settings, const std::string& layer
 void Preview::render(PreviewWishes wishes, FileWatch& files) {
   since_ = wishes.since;
   first_shown_ = false;
+  coarse_.reset();
   const int renderings = report_.renderings + 1;
   report_ = PreviewReport();
   report_.renderings = renderings;

@@ -230,6 +230,13 @@ class PreviewPage(Desk):
             self.again(lambda: self.browser.run(choose, "layer", ""))
             self.again(lambda: self.browser.run(choose, "integrator", "whitted"))
 
+    def test_what_is_not_rendered_yet_shows_the_coarse_picture(self):
+        with Preview(self.folder, "scene.sdl", "--spp", "256", "--size", "640x480") as preview:
+            self.browser.open(preview.address)
+            self.browser.wait("return document.body.dataset.picture >= 2 && state.picture.frameWidth === 640")
+            for y in (0.2, 0.4, 0.6, 0.8):  # from the card's upper edge to its lower one
+                self.assertGreater(self.color(0.2, y)[0], 0.01)
+
     def test_narrow_and_dark(self):
         self.browser.size(400, 800)
         self.browser.media(prefers_color_scheme="dark")
