@@ -84,7 +84,6 @@ constexpr Permission kPermissions[] = {
     {"io/files/available_memory.cpp", "sys/resource.h"},
     {"io/files/temporary_names.cpp", "unistd.h"},
     {"io/files/checksum.cpp", "zlib.h"},
-<<<<<<< HEAD
     {"io/files/deflate.cpp", "zlib.h"},
     {"io/files/file_watch.cpp", "poll.h"},
     {"io/files/file_watch.cpp", "sys/inotify.h"},
@@ -93,9 +92,7 @@ constexpr Permission kPermissions[] = {
     {"io/outputs/display_server.cpp", "sys/socket.h"},
     {"io/outputs/display_server.cpp", "unistd.h"},
     {"io/preview/preview_server.cpp", "httplib.h"},
-=======
     {"io/files/gunzip.cpp", "zlib.h"},
->>>>>>> gltf16
     {"io/files/regular_file.cpp", "fcntl.h"},
     {"io/files/regular_file.cpp", "sys/stat.h"},
     {"io/files/regular_file.cpp", "unistd.h"},
