@@ -11,7 +11,7 @@
 namespace abbe {
 namespace {
 
-constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNoReach = std::numeric_limits<float>::infinity();
 
 /// A float not less than `value`.
 float rounded_up(double value) {
@@ -290,7 +290,7 @@ private:
   MeshSearch search_;
   BoxRay boxes_;
   ShearedLine line_;
-  float reach_ = kFloatInfinity;
+  float reach_ = kNoReach;
   MeshCrossings found_;
 };
 
