@@ -209,8 +209,9 @@ void RayJudge::check_hit(const RayState& state, const Hit& hit) {
     fail("normal_side", state, hit);
   if (!state.contacts.empty()) {
     const SurfaceContact& left = state.contacts[0];
-    // A ray in the face's plane, within rounding, may be on either side of it.
-    const bool crosses = std::abs(outwards) * extent_ > 2 * blur;
+    // A ray that stays in the face's plane, within rounding, for as long as the scene is large may
+    // be on either side of it.
+    const bool crosses = std::abs(outwards) * extent_ / 10 > 2 * blur;
     if (left.shape == hit.shape && left.face == hit.face && crosses &&
         is_plane(world_.shapes()[shape], hit.face))
       fail("self_hit", state, hit);

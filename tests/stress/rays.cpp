@@ -98,6 +98,6 @@ void round(std::uint64_t number, Tally& tally) {
 
 } // namespace
 
-const Part kPart{"rays", 96, 260000, Rounds::on_all_cores, round};
+const Part kPart{"rays", 140, 260000, Rounds::on_all_cores, round};
 
 } // namespace abbe::stress

@@ -195,3 +195,19 @@ TEST_CASE("rays that are not finite meet nothing, and do not disturb those besid
     }
   }
 }
+
+TEST_CASE("a start inside a small tree, close to its face, is inside at any scale") {
+  for (const double scale : {1.0, 1e-4, 1e-9}) {
+    const CsgTree tree(CsgOperation::intersect, CsgTree(Box{}, Transform()),
+                       CsgTree(Box{}, Transform::translation({0.0, 0.0, -0.5})));
+    const World world({{tree, Transform::scaling(dvec3(scale)), {}, {0}, 0}}, 10.0 * scale);
+    // A ten-millionth of its size below the face z = 1/2; rounding is a billionth of that.
+    const RayState out = world.start_at({{0.0, 0.0, (0.5 - 1e-7) * scale}, {0.0, 0.0, 1.0}});
+    CAPTURE(scale);
+    CHECK(out.contacts.empty());
+    CHECK(out.nesting.size() == 1);
+    const auto hit = world.closest(out);
+    REQUIRE(hit);
+    CHECK(hit->t == Approx(1e-7 * scale).epsilon(1e-6));
+  }
+}
