@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/commands/denoise_command.h"
 #include "io/commands/develop_command.h"
 #include "io/commands/diff_command.h"
 #include "io/commands/glass_command.h"
@@ -33,8 +34,8 @@ struct Answered {
 /// the exit code of the program. Where it has a member `given`, it gets the names of all options
 /// that were given.
 using Command =
-    std::variant<Answered, RenderCommand, MergeCommand, DevelopCommand, RelightCommand, PlanCommand,
-                 ListCommand, GlassCommand, LensCommand, InfoCommand, PixelCommand, LineCommand,
-                 RegionCommand, DiffCommand, SelftestCommand>;
+    std::variant<Answered, RenderCommand, MergeCommand, DevelopCommand, DenoiseCommand,
+                 RelightCommand, PlanCommand, ListCommand, GlassCommand, LensCommand, InfoCommand,
+                 PixelCommand, LineCommand, RegionCommand, DiffCommand, SelftestCommand>;
 
 } // namespace abbe

@@ -35,6 +35,7 @@ struct PictureRequest {
   std::optional<RowRange> rows = {}; ///< empty: all
   bool bands = false, alpha = false;
   bool header_only = false;
+  std::vector<std::string> others = {}; ///< further channels of an EXR, by their names
 };
 
 /// The part of a file's window that is asked for; it has no height where that lies outside.
@@ -51,6 +52,9 @@ struct PictureValues {
   std::vector<float> rgb;   ///< linear sRGB, interleaved; empty where the file has no colours
   std::vector<float> bands; ///< all bands of a pixel side by side, per nm; empty unless asked for
   std::vector<float> alpha; ///< empty unless asked for, and where the file has none
+  /// The other channels that were asked for, those of a pixel side by side, as they are in the
+  /// file; 0 where it has no such channel.
+  std::vector<float> others = {};
 };
 
 } // namespace abbe

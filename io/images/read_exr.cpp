@@ -246,6 +246,8 @@ PictureValues read_exr_picture(const std::filesystem::path& path, const PictureR
   const Imf::Channel* alpha = header.channels().findChannel("A");
   if (request.alpha && alpha != nullptr && is_full(*alpha))
     targets.push_back({{"A"}, 1, picture.alpha});
+  if (!request.others.empty())
+    targets.push_back({request.others, request.others.size(), picture.others});
   if (targets.empty()) return picture;
   read_rows(file, picture.part, targets);
   if (colors.size() == 1)

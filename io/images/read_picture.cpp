@@ -98,8 +98,9 @@ ChildMessage packed(PictureValues picture) {
   }
   packer.add(fmt::format("{}", picture.rgb.size()));
   packer.add(fmt::format("{}", picture.alpha.size()));
+  packer.add(fmt::format("{}", picture.others.size()));
   ChildMessage message{std::move(packer).packed(), std::move(picture.rgb)};
-  for (const auto* values : {&picture.alpha, &picture.bands})
+  for (const auto* values : {&picture.alpha, &picture.others, &picture.bands})
     message.values.insert(message.values.end(), values->begin(), values->end());
   return message;
 }
@@ -129,9 +130,12 @@ PictureValues unpacked(ChildMessage message) {
   }
   const auto colors = static_cast<std::ptrdiff_t>(parse_whole(unpacker.text()).value());
   const auto alphas = static_cast<std::ptrdiff_t>(parse_whole(unpacker.text()).value());
-  const auto alpha = message.values.begin() + colors;
-  picture.alpha.assign(alpha, alpha + alphas);
-  picture.bands.assign(alpha + alphas, message.values.end());
+  const auto others = static_cast<std::ptrdiff_t>(parse_whole(unpacker.text()).value());
+  auto begin = message.values.begin() + colors;
+  picture.alpha.assign(begin, begin + alphas);
+  begin += alphas;
+  picture.others.assign(begin, begin + others);
+  picture.bands.assign(begin + others, message.values.end());
   message.values.resize(static_cast<std::size_t>(colors));
   picture.rgb = std::move(message.values);
   return picture;

@@ -16,6 +16,7 @@ struct OutputOptions {
   int png_bits = 8; ///< 8 or 16
   SceneLinearSpace exr_space = SceneLinearSpace::rec709;
   bool layer_files = false; ///< each layer goes into an EXR of its own
+  bool denoise = false;     ///< pictures and bands are written without their noise
 };
 
 /// True when `write_image` has a writer for the extension of the path, whatever its case.

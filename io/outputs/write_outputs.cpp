@@ -15,10 +15,16 @@
 namespace abbe {
 namespace {
 
-DisplayImage display_picture(const Rendering& rendering, const Plan& plan,
-                             const DisplaySettings& settings) {
-  DisplayImage image = develop_display(rendering.film, plan, settings);
-  say_warning(warning_of_exposure(rendering.film, image));
+SceneLinearImage scene_linear_picture(const Rendered& rendered, SceneLinearSpace space) {
+  return rendered.denoised ? rendered.denoised->scene_linear(space)
+                           : develop_scene_linear(rendered.rendering.film, rendered.plan, space);
+}
+
+DisplayImage display_picture(const Rendered& rendered, const DisplaySettings& settings) {
+  const Film& film = rendered.rendering.film;
+  DisplayImage image = rendered.denoised ? rendered.denoised->display(settings)
+                                         : develop_display(film, rendered.plan, settings);
+  say_warning(warning_of_exposure(film, image));
   return image;
 }
 
@@ -40,9 +46,10 @@ bool write_cubes(const Film& film, const Plan& plan, const Outputs& outputs, boo
 
 } // namespace
 
-bool write_outputs(const Rendering& rendering, const Plan& plan, const Outputs& outputs,
-                   const OutputOptions& options, const DisplaySettings& display_settings,
-                   bool quiet) {
+bool write_outputs(const Rendered& rendered, const Outputs& outputs, const OutputOptions& options,
+                   const DisplaySettings& display_settings, bool quiet) {
+  const Film& film = rendered.rendering.film;
+  const Plan& plan = rendered.plan;
   const auto write_all = [&](bool scene_linear, const SceneLinearImage& linear,
                              const DisplayImage& display) {
     std::vector<OutputJob> jobs;
@@ -53,22 +60,23 @@ bool write_outputs(const Rendering& rendering, const Plan& plan, const Outputs& 
   };
   bool all = true;
   if (std::ranges::any_of(outputs.images, is_scene_linear_extension)) {
-    SceneLinearImage image = develop_scene_linear(rendering.film, plan, options.exr_space);
+    SceneLinearImage image = scene_linear_picture(rendered, options.exr_space);
     if (options.layer_files) all = write_layer_files(image, outputs, options, quiet);
     all = write_all(true, image, {}) && all;
   }
   if (!std::ranges::all_of(outputs.images, is_scene_linear_extension))
-    all = write_all(false, {}, display_picture(rendering, plan, display_settings)) && all;
-  if (plan.settings.relightable) all = write_cubes(rendering.film, plan, outputs, quiet) && all;
+    all = write_all(false, {}, display_picture(rendered, display_settings)) && all;
+  if (plan.settings.relightable) all = write_cubes(film, plan, outputs, quiet) && all;
   if (!outputs.spectral) return all;
   const auto write_spectral = [&] {
-    const Metadata lost = lost_metadata(rendering.film); // found once, not for each block of rows
+    const Metadata lost = lost_metadata(film); // found once, not for each block of rows
     const auto develop = [&](const PixelWindow& rows) {
-      SpectralImage image = develop_spectral(rendering.film, plan, rows);
+      SpectralImage image = rendered.denoised ? rendered.denoised->spectral(rows)
+                                              : develop_spectral(film, plan, rows);
       image.metadata.insert(image.metadata.end(), lost.begin(), lost.end());
       return image;
     };
-    write_spectral_exr(*outputs.spectral, rendering.film.window(), develop);
+    write_spectral_exr(*outputs.spectral, film.window(), develop);
     return std::string();
   };
   return write_each({{*outputs.spectral, write_spectral}}, quiet) && all;
