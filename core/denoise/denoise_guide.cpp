@@ -140,6 +140,7 @@ SpectralImage denoised(const SpectralImage& sources, const DenoiseWeights& weigh
       result.rgba[4 * i + c] = target[i];
   }
   result.metadata.emplace_back("abbe/denoised", "yes");
+  result.camera = sources.camera;
   return result;
 }
 

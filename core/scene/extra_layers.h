@@ -33,6 +33,8 @@ enum class ExtraLayer : std::uint8_t {
   deviation,
   surfaces,
   glass_path,
+  total_reflections,
+  least_deviation,
   noise,
   albedo_through,
   distance_through,

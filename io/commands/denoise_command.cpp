@@ -86,20 +86,21 @@ SceneLinearImage read_noisy(const fs::path& file) {
   const std::vector<std::string> layers = guide_channels(header, file);
   SceneLinearImage image{
       header.display, header.data, {}, kept_metadata(header), space_of(header, file)};
+  image.camera = header.camera;
   for (const std::string& name : layers)
     image.channels.push_back({name, {}});
-  PictureRequest request{.alpha = true, .others = {"R", "G", "B"}};
-  request.others.insert(request.others.end(), layers.begin(), layers.end());
+  PictureRequest request{.alpha = true, .channels = {"R", "G", "B"}};
+  request.channels.insert(request.channels.end(), layers.begin(), layers.end());
   const PictureValues values = read_picture(file, request);
-  if (!std::ranges::all_of(values.others, [](float v) { return std::isfinite(v); }))
+  if (!std::ranges::all_of(values.layers, [](float v) { return std::isfinite(v); }))
     throw UserError(fmt::format("{}: some of its values are no finite numbers", file.string()));
-  const std::size_t stride = request.others.size();
+  const std::size_t stride = request.channels.size();
   for (std::size_t pixel = 0; pixel < values.part.pixel_count(); ++pixel) {
-    const float* const others = values.others.data() + pixel * stride;
-    image.rgba.insert(image.rgba.end(), others, others + 3);
+    const float* const channels = values.layers.data() + pixel * stride;
+    image.rgba.insert(image.rgba.end(), channels, channels + 3);
     image.rgba.push_back(values.alpha.empty() ? 1.0f : values.alpha[pixel]);
     for (std::size_t i = 0; i < layers.size(); ++i)
-      image.channels[i].values.push_back(others[3 + i]);
+      image.channels[i].values.push_back(channels[3 + i]);
   }
   const auto is_noisy = [&](const std::string& name) {
     const auto channel = std::ranges::find(image.channels, name, &ImageChannel::name);
@@ -128,6 +129,7 @@ SpectralImage read_bands(const fs::path& file, const PictureHeader& header, Deno
                           .alpha = true});
   SpectralImage image{header.display,       values.part, header.wavelengths_nm, {}, {},
                       kept_metadata(header)};
+  image.camera = header.camera;
   const std::size_t pixels = values.part.pixel_count(), bands = header.wavelengths_nm.size();
   image.values.resize(pixels * bands);
   for (std::size_t pixel = 0; pixel < pixels; ++pixel) {

@@ -23,6 +23,7 @@ struct PictureHeader {
   bool has_color = false;             ///< false where it holds other things only
   Metadata metadata;                  ///< its texts by their names
   std::string unknown_tag;            ///< of its colour space, where we do not know it
+  std::optional<CameraMatrices> camera = {};
 };
 
 /// Rows of a picture, counted as its windows do.
@@ -35,7 +36,7 @@ struct PictureRequest {
   std::optional<RowRange> rows = {}; ///< empty: all
   bool bands = false, alpha = false;
   bool header_only = false;
-  std::vector<std::string> others = {}; ///< further channels of an EXR, by their names
+  std::vector<std::string> channels = {}; ///< of an EXR, full ones that it has beside these
 };
 
 /// The part of a file's window that is asked for; it has no height where that lies outside.
@@ -52,9 +53,7 @@ struct PictureValues {
   std::vector<float> rgb;   ///< linear sRGB, interleaved; empty where the file has no colours
   std::vector<float> bands; ///< all bands of a pixel side by side, per nm; empty unless asked for
   std::vector<float> alpha; ///< empty unless asked for, and where the file has none
-  /// The other channels that were asked for, those of a pixel side by side, as they are in the
-  /// file; 0 where it has no such channel.
-  std::vector<float> others = {};
+  std::vector<float> layers = {}; ///< the channels asked for by name, side by side by pixel
 };
 
 } // namespace abbe

@@ -3,6 +3,7 @@
 #include "core/denoise/denoise_guide.h"
 #include "core/image/develop.h"
 #include "core/image/develop_colors.h"
+#include "core/image/develop_layers.h"
 
 #include <algorithm>
 #include <utility>
@@ -32,8 +33,14 @@ DenoisedPictures::DenoisedPictures(const Film& film, const Plan& plan, const Ext
     : film_(film), plan_(plan), left_out_(channels_without(asked)),
       denoiser_(guide_of(develop_scene_linear(film, plan))) {}
 
-SceneLinearImage DenoisedPictures::scene_linear(SceneLinearSpace space) const {
+bool DenoisedPictures::leaves_out(const std::string& layer) const {
+  return std::ranges::any_of(
+      left_out_, [&](const std::string& channel) { return layer_of(channel) == layer; });
+}
+
+SceneLinearImage DenoisedPictures::scene_linear(SceneLinearSpace space, bool colors_only) const {
   SceneLinearImage image = develop_scene_linear(film_, plan_, space);
+  if (colors_only) image.channels.clear();
   std::erase_if(image.channels, [&](const ImageChannel& channel) {
     return std::ranges::find(left_out_, channel.name) != left_out_.end();
   });
@@ -41,7 +48,7 @@ SceneLinearImage DenoisedPictures::scene_linear(SceneLinearSpace space) const {
 }
 
 DisplayImage DenoisedPictures::display(const DisplaySettings& settings) const {
-  SceneLinearImage linear = scene_linear(SceneLinearSpace::rec709);
+  SceneLinearImage linear = scene_linear(SceneLinearSpace::rec709, true);
   std::vector<Xyz> colors;
   for (std::size_t i = 0; i < linear.rgba.size(); i += 4)
     colors.push_back(to_xyz(LinearRgb{linear.rgba[i], linear.rgba[i + 1], linear.rgba[i + 2]}));

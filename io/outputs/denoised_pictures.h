@@ -18,7 +18,9 @@ public:
   /// references to the film and the plan.
   DenoisedPictures(const Film& film, const Plan& plan, const ExtraLayers& asked);
 
-  [[nodiscard]] SceneLinearImage scene_linear(SceneLinearSpace space) const;
+  /// True for a layer of the picture that nobody has asked for.
+  [[nodiscard]] bool leaves_out(const std::string& layer) const;
+  [[nodiscard]] SceneLinearImage scene_linear(SceneLinearSpace space, bool colors_only) const;
   /// Throws std::invalid_argument for a white point that cannot be white.
   [[nodiscard]] DisplayImage display(const DisplaySettings& settings) const;
   /// Part of the film's window, of whole rows. The film must keep bands.
