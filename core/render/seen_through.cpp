@@ -64,6 +64,7 @@ SeenThrough see_through(const Plan& plan, const World& world, RayState state, co
   bool straight_on = false;
   for (int met = 0; hit.met() && met < kMostSurfaces; ++met) {
     const MediumId before = hit.medium_before;
+    seen.distance += hit.t;
     if (before.valid() && !plan.media[before.index()].drops) seen.glass_length += hit.t;
     const MaterialPlan& material = larger_part(plan, hit);
     const BsdfFacts facts = material.facts();
@@ -75,7 +76,7 @@ SeenThrough see_through(const Plan& plan, const World& world, RayState state, co
       continue;
     }
     if (!facts.specular() || facts.coats || (material.lit() && !facts.transmits)) {
-      seen.normal = hit.facing_shading_normal();
+      seen.end = hit;
       return seen;
     }
     const Turn turn =
