@@ -2,8 +2,10 @@
 
 #include "spectral/data_table.h"
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace abbe {
 namespace {
@@ -92,6 +94,25 @@ std::vector<Glass> load_glasses() {
   return list;
 }
 
+/// What people call materials that the catalogue has under a longer name.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kCommonNames{{
+    {"water", "water-20C"},
+    {"air", "air-15C"},
+    {"window", "soda-lime"},
+    {"window-glass", "soda-lime"},
+    {"zirconia", "zirconia-cubic"},
+    {"cubic-zirconia", "zirconia-cubic"},
+    {"sapphire", "sapphire-o"},
+    {"ruby", "sapphire-o"},
+    {"quartz", "crystal-quartz-o"},
+    {"silica", "fused-silica"},
+    {"calcite", "calcite-o"},
+    {"fluorite", "CaF2"},
+    {"salt", "NaCl"},
+    {"rutile", "TiO2-rutile-o"},
+    {"plexiglass", "PMMA"},
+}};
+
 } // namespace
 
 const std::vector<Glass>& glass_catalogue() {
@@ -102,6 +123,8 @@ const std::vector<Glass>& glass_catalogue() {
 const Glass* find_glass(std::string_view name) {
   for (const Glass& glass : glass_catalogue())
     if (same_name(glass.name, name)) return &glass;
+  for (const auto& [common, in_catalogue] : kCommonNames)
+    if (same_name(common, name)) return find_glass(in_catalogue);
   return nullptr;
 }
 

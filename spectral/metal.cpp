@@ -3,6 +3,8 @@
 #include "spectral/data_table.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace abbe {
 namespace {
@@ -26,6 +28,21 @@ std::vector<Metal> load_metals() {
   return list;
 }
 
+/// What people call metals.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kCommonNames{{
+    {"silver", "Ag"},
+    {"gold", "Au"},
+    {"copper", "Cu"},
+    {"chromium", "Cr"},
+    {"chrome", "Cr"},
+    {"iron", "Fe"},
+    {"nickel", "Ni"},
+    {"titanium", "Ti"},
+    {"aluminium", "Al"},
+    {"aluminum", "Al"},
+    {"platinum", "Pt"},
+}};
+
 } // namespace
 
 const std::vector<Metal>& metal_catalogue() {
@@ -36,6 +53,8 @@ const std::vector<Metal>& metal_catalogue() {
 const Metal* find_metal(std::string_view symbol) {
   for (const Metal& metal : metal_catalogue())
     if (same_name(metal.name, symbol)) return &metal;
+  for (const auto& [common, in_catalogue] : kCommonNames)
+    if (same_name(common, symbol)) return find_metal(in_catalogue);
   return nullptr;
 }
 

@@ -16,6 +16,7 @@
 #include "io/console/progress.h"
 #include "io/console/terminal.h"
 #include "io/outputs/band_place.h"
+#include "io/outputs/display_server.h"
 #include "io/outputs/output_effects.h"
 #include "io/outputs/output_names.h"
 #include "io/outputs/picture_warnings.h"
@@ -110,6 +111,11 @@ void add_options(CLI::App& app, RenderCommand& command) {
   add_output_options(app, command.output);
   add_memory_limit(app, command.memory_limit_gib);
   add_state_options(app, command.states);
+  app.add_option_function<std::string>(
+         "--display-server",
+         [&command](const std::string& place) { command.display_server = place; },
+         "Show the picture as it grows in tev, or another viewer that listens there")
+      ->type_name("HOST:PORT");
   app.add_flag("-q,--quiet", command.quiet, "Print warnings and errors only");
   add_settings(app, command.settings);
 }
@@ -165,6 +171,9 @@ void check_peers(const Peers& peers, const RenderCommand& command, const Request
   if (request.scene.settings.seconds > 0.0)
     throw UserError("--time and MPI exclude each other: ranks have clocks of their own. Give the "
                     "samples by --spp");
+  if (command.display_server)
+    throw UserError("--display-server and MPI exclude each other: no rank has the whole picture "
+                    "before the end. Leave out --display-server");
   if (command.states.plan_out)
     throw UserError("--plan-out makes a plan by one process. Use abbe without MPI");
 }
@@ -179,6 +188,33 @@ RenderState begin(const RenderCommand& command, Request& request, const Plan& pl
   if (!command.quiet) say(resume_note(file, request.resumed->info(), state, plan));
   return state;
 }
+
+/// The viewer that shows a rendering as it grows, if the user has named one.
+class Viewer {
+public:
+  Viewer(const RenderCommand& command, const Outputs& outputs, const Plan& plan)
+      : plan_(plan), space_(command.output.exr_space) {
+    if (!command.display_server) return;
+    const fs::path& file = outputs.images.empty() ? *outputs.state : outputs.images.front();
+    server_.emplace(*command.display_server, file.filename().string());
+  }
+
+  /// Empty where there is no viewer.
+  [[nodiscard]] std::function<void(const RenderState&)> watch() {
+    if (!server_) return {};
+    return [this](const RenderState& state) { show(state); };
+  }
+  void show(const RenderState& state) {
+    if (!server_ || server_->show(develop_scene_linear(state.film, plan_, space_))) return;
+    say_warning("the viewer has gone, or takes no more; the rendering goes on");
+    server_.reset();
+  }
+
+private:
+  const Plan& plan_;
+  SceneLinearSpace space_;
+  std::optional<DisplayServer> server_;
+};
 
 /// Tells where the state is that a rendering leaves, or that there is none.
 void tell_state(const Outputs& outputs, const CheckpointedRender& done, bool quiet) {
@@ -237,12 +273,14 @@ int run(const RenderCommand& command, const Peers& peers) {
   if (request.resumed && is_planned(request.resumed->info()))
     info.settings = request.resumed->info().settings;
   const World world(scene.shapes, farthest_coordinate(scene));
+  Viewer viewer(command, outputs, plan);
   if (!peers.all(true)) return kPeerFailed;
 
   const SampleRange range = samples_of(request.part, plan.settings.samples_per_pixel);
   const CheckpointedRender done = render_with_checkpoints(
-      {scene, plan, world, info, peers}, range, state,
+      {scene, plan, world, info, peers, viewer.watch()}, range, state,
       {outputs.state, command.states.every_seconds, bands}, stop, command.quiet);
+  viewer.show(state);
   add_up_film(state.film, peers);
   if (!peers.is_first()) return done.complete ? 0 : kExitInterrupted;
   const Rendering rendering = end_rendering(std::move(state), plan, done.complete);

@@ -34,6 +34,7 @@ struct RenderCommand {
   std::optional<std::filesystem::path> spectral_output;
   std::optional<double> memory_limit_gib; ///< empty: what the machine has left
   StateOptions states;
+  std::optional<std::string> display_server; ///< HOST:PORT of a viewer
   bool quiet = false;
 };
 void add_options(CLI::App& app, RenderCommand& command);
