@@ -1,5 +1,6 @@
 #include "io/commands/render_command.h"
 
+#include "core/image/develop.h"
 #include "core/planning/plan_extent.h"
 #include "core/render/memory_need.h"
 #include "core/render/peer_sums.h"
