@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/render/render_progress.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -10,7 +12,7 @@ namespace abbe {
 
 /// Processes that render one picture together, each into a state of its own, and what they ask of
 /// each other. All of them call the same functions in the same order, each from the thread that
-/// renders. One that is alone calls none.
+/// renders, but for progress. One that is alone calls none.
 struct Peers {
   using Numbers = std::span<std::int64_t>;
 
@@ -22,6 +24,10 @@ struct Peers {
   std::function<void(Numbers)> add_up_in_first = {};
   /// Gives the first the lists of all, one after the other, and the others an empty list.
   std::function<std::vector<std::int64_t>(const std::vector<std::int64_t>&)> collect_in_first = {};
+
+  /// Tells the others now and then how far this one is, and returns how far they are together, as
+  /// far as this one knows. Any thread may call it, but no two at once, and not all peers must.
+  std::function<RenderProgress(const RenderProgress&)> share_progress = {};
 
   [[nodiscard]] bool alone() const { return count == 1; }
   [[nodiscard]] bool is_first() const { return number == 0; }

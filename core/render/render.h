@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/render/render_progress.h"
 #include "core/render/render_state.h"
 #include "geometry/world/world.h"
 
@@ -10,14 +11,6 @@
 namespace abbe {
 
 struct Peers;
-
-/// How far a rendering has come.
-struct RenderProgress {
-  double fraction = 0.0; ///< of the samples that were asked for
-  double seconds = 0.0;  ///< since the start
-  RayCounts rays;
-  bool light_paths = false; ///< light paths are followed now, and no camera samples taken
-};
 
 /// Called now and then by one of the rendering threads, never by two at once.
 using ProgressCallback = std::function<void(const RenderProgress&)>;

@@ -113,7 +113,10 @@ CheckpointedRender render_with_checkpoints(const RenderJob& job, SampleRange ran
   const RenderProgress before{.fraction = std::max(state.done - range.first, 0) / length,
                               .seconds = state.seconds,
                               .rays = state.rays};
-  const auto tell = [&](const RenderProgress& now) { progress.tell(in_all(now, before)); };
+  const auto& share = job.peers.share_progress;
+  const auto tell = [&](const RenderProgress& now) {
+    progress.tell(in_all(share ? share(now) : now, before));
+  };
   RenderControl control{.progress = tell, .stop = &stop, .peers = &job.peers};
   std::optional<WriterBehind> writer;
   if (checkpoints.file) writer.emplace(*checkpoints.file, job);

@@ -1,6 +1,5 @@
 #include "io/commands/merge_command.h"
 
-#include "core/film/merge_films.h"
 #include "core/render/render.h"
 #include "io/commands/kept_state.h"
 #include "io/commands/scene_request.h"
@@ -14,6 +13,7 @@
 #include "io/outputs/write_outputs.h"
 #include "io/states/check_parts.h"
 #include "io/states/kept_settings.h"
+#include "io/states/merge_states.h"
 
 #include <CLI/CLI.hpp>
 
@@ -25,12 +25,11 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What all parts say of themselves.
-std::vector<KeptPart> parts_in(const std::vector<fs::path>& files) {
+std::vector<KeptPart> parts_in(const std::vector<fs::path>& files,
+                               const std::vector<StateReader>& readers) {
   std::vector<KeptPart> parts;
-  for (const fs::path& file : files) {
-    const StateReader reader(file);
-    parts.push_back({file, reader.info(), reader.complete()});
-  }
+  for (std::size_t i = 0; i < files.size(); ++i)
+    parts.push_back({files[i], readers[i].info(), readers[i].complete()});
   return parts;
 }
 
@@ -41,26 +40,6 @@ SceneRequest scene_of(const MergeCommand& command, const StateInfo& info, InputF
   request.settings = with_kept(request.settings, info.settings, {});
   request.settings.samples_per_pixel = info.samples;
   return request;
-}
-
-/// The sum of all parts, each of which is in memory with the sum, but no two.
-RenderState merged(const std::vector<KeptPart>& parts, const SceneRequest& request,
-                   const Plan& plan, const BandPlace& place) {
-  std::optional<RenderState> sum;
-  for (const KeptPart& part : parts) {
-    StateReader reader(part.file);
-    check_plan(part.file, reader, request.scene, plan);
-    RenderState state = reader.read(place);
-    if (!sum) {
-      sum = std::move(state);
-      continue;
-    }
-    merge(sum->film, state.film);
-    sum->rays += state.rays;
-    sum->seconds += state.seconds;
-    sum->light_seconds += state.light_seconds;
-  }
-  return std::move(*sum);
 }
 
 } // namespace
@@ -81,7 +60,8 @@ void add_options(CLI::App& app, MergeCommand& command) {
 
 int run(const MergeCommand& command) {
   outlive_readers();
-  const std::vector<KeptPart> parts = parts_in(command.parts);
+  std::vector<StateReader> readers(command.parts.begin(), command.parts.end());
+  const std::vector<KeptPart> parts = parts_in(command.parts, readers);
   check_parts(parts);
   const StateInfo& info = parts.front().info;
   InputFiles inputs;
@@ -98,11 +78,13 @@ int run(const MergeCommand& command) {
   warn_of_outputs(command.given, outputs, command.output, say_warning);
   const Plan plan = plan_of(request, request.settings);
   check_outputs(outputs, inputs, further_files(request.scene, plan, outputs, command.output));
-  if (command.spectral_output && !StateReader(parts.front().file).has_bands())
+  if (command.spectral_output && !readers.front().has_bands())
     throw UserError("these parts have no bands: they are kept where parts are rendered with "
                     "--spectral");
   const BandPlace place = band_place(command.spectral_output.value_or(command.outputs.front()));
-  const Rendering rendering = end_rendering(merged(parts, request, plan, place), plan, true);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    check_plan(parts[i].file, readers[i], request.scene, plan);
+  const Rendering rendering = end_rendering(merge_states(readers, place), plan, true);
   if (!command.quiet) say(summary(rendering));
   say_warning(light_warning(rendering));
   const DisplaySettings display = overridden(request.scene.display, command.display);

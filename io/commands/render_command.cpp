@@ -141,8 +141,9 @@ Request read_request(const RenderCommand& command) {
   const StateReader* resumed = request.resumed ? &*request.resumed : nullptr;
   request.part = part_of(states, resumed);
   request.scene_path = command.scene_path.empty() ? resumed->info().scene : command.scene_path;
-  request.scene =
-      read_request(request.scene_path, command.settings, &request.inputs, command.strictness);
+  // A scene that has been rendered is read again, whether it was read strictly then or not.
+  request.scene = read_request(request.scene_path, command.settings, &request.inputs,
+                               resumed ? Strictness::lenient : command.strictness);
   if (!resumed) return request;
   check_origin(*states.resume, resumed->info(), request.inputs);
   request.scene.settings =

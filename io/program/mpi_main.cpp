@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <exception>
 #include <thread>
+#include <type_traits>
 
 // abbe-mpi: `abbe render` by all ranks of an MPI job. This file alone knows MPI: docs/farm.md.
 
@@ -77,6 +78,68 @@ std::vector<std::int64_t> collect_in_first(const std::vector<std::int64_t>& list
   return result;
 }
 
+/// What ranks tell the first of how far they are. MPI is called by the main thread alone, which
+/// renders as the others do, so that news waits until it has something to tell itself.
+class ProgressNews {
+public:
+  explicit ProgressNews(const Peers& peers)
+      : peers_(peers), known_(static_cast<std::size_t>(peers.count)) {}
+  RenderProgress share(const RenderProgress& own);
+  /// All ranks call it at the end: no message is left then.
+  void end();
+
+private:
+  static constexpr int kTag = 1;
+  static constexpr double kBetween = 0.5; ///< seconds
+  void receive();
+
+  const Peers& peers_;
+  std::thread::id main_ = std::this_thread::get_id();
+  std::vector<RenderProgress> known_; ///< of each rank, in the first
+  RenderProgress sent_;               ///< is on its way while there is a request
+  MPI_Request request_ = MPI_REQUEST_NULL;
+  double told_ = 0.0; ///< when
+  std::int64_t messages_ = 0;
+};
+
+void ProgressNews::receive() {
+  MPI_Status status;
+  MPI_Probe(MPI_ANY_SOURCE, kTag, MPI_COMM_WORLD, &status);
+  MPI_Recv(&known_[static_cast<std::size_t>(status.MPI_SOURCE)], sizeof(RenderProgress), MPI_BYTE,
+           status.MPI_SOURCE, kTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  ++messages_;
+}
+
+RenderProgress ProgressNews::share(const RenderProgress& own) {
+  static_assert(std::is_trivially_copyable_v<RenderProgress>);
+  const bool calls = std::this_thread::get_id() == main_;
+  if (!peers_.is_first()) {
+    int done = 0;
+    if (calls && own.seconds - told_ > kBetween) MPI_Test(&request_, &done, MPI_STATUS_IGNORE);
+    if (done == 0) return own;
+    told_ = own.seconds;
+    sent_ = own;
+    ++messages_;
+    MPI_Isend(&sent_, sizeof sent_, MPI_BYTE, 0, kTag, MPI_COMM_WORLD, &request_);
+    return own;
+  }
+  for (int waits = calls ? 1 : 0; waits != 0;) {
+    MPI_Iprobe(MPI_ANY_SOURCE, kTag, MPI_COMM_WORLD, &waits, MPI_STATUS_IGNORE);
+    if (waits != 0) receive();
+  }
+  known_.front() = own;
+  return together(known_);
+}
+
+void ProgressNews::end() {
+  std::int64_t sent = peers_.is_first() ? 0 : messages_;
+  peers_.add_up_in_first(Peers::Numbers(&sent, 1));
+  if (peers_.is_first())
+    while (messages_ < sent)
+      receive();
+  wait_for(request_);
+}
+
 /// What became of a rank: its exit code, and what it has to say about it.
 struct Outcome {
   int code = 0;
@@ -131,7 +194,7 @@ int main(int argc, char** argv) {
   Peers peers;
   MPI_Comm_rank(MPI_COMM_WORLD, &peers.number);
   MPI_Comm_size(MPI_COMM_WORLD, &peers.count);
-  bool met = peers.alone();
+  bool met = false;
   peers.add_up = [&met](Peers::Numbers numbers) {
     add_up(numbers);
     met = true;
@@ -143,12 +206,18 @@ int main(int argc, char** argv) {
     return collect_in_first(list, peers);
   };
 
+  ProgressNews news(peers);
+  if (!peers.alone())
+    peers.share_progress = [&](const RenderProgress& own) { return news.share(own); };
+
   const bool speaks = peers.is_first();
   if (!speaks) mute(STDOUT_FILENO);
   const int errors = speaks ? STDERR_FILENO : mute(STDERR_FILENO); // all would warn of the same
   Outcome outcome = outcome_of(argc, argv, peers);
   if (!speaks) ::dup2(errors, STDERR_FILENO);
-  if (!met) {
+  if (peers.alone()) {
+    if (!outcome.message.empty()) say_error(outcome.message);
+  } else if (!met) {
     (void)peers.all(false);
     outcome.code = agree_on_failure(outcome, peers);
   } else if (outcome.code == kPeerFailed) {
@@ -157,6 +226,7 @@ int main(int argc, char** argv) {
     say_error(fmt::format("rank {}: {}", peers.number, outcome.message));
     MPI_Abort(MPI_COMM_WORLD, outcome.code);
   }
+  if (met) news.end();
   const bool said = all_was_said();
   MPI_Finalize();
   return said || outcome.code != 0 ? outcome.code : kExitFailure;

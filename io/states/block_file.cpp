@@ -69,7 +69,12 @@ BlockReader::BlockReader(const fs::path& file) : path_(file) {
   } catch (const std::runtime_error& error) {
     throw ReadError(file, "this state cannot be read", error.what(), "Name the file of a state");
   }
+  errno = 0;
   file_.open(file, std::ios::binary);
+  if (!file_)
+    throw ReadError(file, "this state cannot be read",
+                    std::generic_category().message(errno != 0 ? errno : EIO),
+                    "Name a file that can be opened");
   size_ = fs::file_size(file);
   const std::string start = take(std::min<std::uint64_t>(size_, kSignature.size()));
   if (start.empty() || !kSignature.starts_with(start))
@@ -89,21 +94,26 @@ void BlockReader::refuse(const std::string& reason) const {
                   "Take an older one, or render it again");
 }
 
-std::string BlockReader::take(std::uint64_t size) {
+void BlockReader::take(std::uint64_t size, std::string& bytes) {
   if (size > size_ - position_)
     refuse(fmt::format("it ends after {} bytes, within block {}: it is incomplete", size_,
                        blocks_ + 1));
-  std::string bytes(size, '\0');
+  bytes.resize(size);
   file_.read(bytes.data(), static_cast<std::streamsize>(size));
   if (!file_) refuse("it could not be read to its end");
   position_ += size;
+}
+
+std::string BlockReader::take(std::uint64_t size) {
+  std::string bytes;
+  take(size, bytes);
   return bytes;
 }
 
 const std::string& BlockReader::read(std::string_view name) {
   const std::string head = take(kNameLength + sizeof(std::uint64_t));
   const auto size = ValueReader(std::string_view(head).substr(kNameLength)).get<std::uint64_t>();
-  content_ = take(size);
+  take(size, content_);
   const std::string sum = take(sizeof(std::uint32_t));
   if (ValueReader(sum).get<std::uint32_t>() != checksum_of(head, content_))
     refuse(

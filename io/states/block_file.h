@@ -42,6 +42,8 @@ public:
   [[noreturn]] void refuse(const std::string& reason) const;
 
 private:
+  /// Reads so many bytes into the string, whose memory is used again.
+  void take(std::uint64_t size, std::string& bytes);
   [[nodiscard]] std::string take(std::uint64_t size);
   std::filesystem::path path_;
   std::ifstream file_;

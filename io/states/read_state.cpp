@@ -189,15 +189,23 @@ RenderState StateReader::read_share(const BandPlace& place, const Plan& plan, co
 
 RenderState StateReader::read(const BandPlace& place,
                               const std::function<void(int, FilmRow&)>& change) {
-  RenderState state = std::move(progress_);
-  state.film = Film(window_, layers_, place);
+  Film film(window_, layers_, place);
   FilmRow row;
   for (int y = window_.y0; y < window_.y1; ++y) {
     read_row(row);
     change(y, row);
-    set_row(state.film, y, row);
+    set_row(film, y, row);
   }
+  RenderState state = end_rows();
+  film.add_light_passes(state.film.light_passes());
+  film.add_refused(state.film.refused());
+  state.film = std::move(film);
+  return state;
+}
+
+RenderState StateReader::end_rows() {
   blocks_.end();
+  RenderState state = std::move(progress_);
   state.film.add_light_passes(light_passes_);
   state.film.add_refused(refused_);
   return state;

@@ -38,6 +38,10 @@ public:
   /// The same, but of the film only what belongs to one of several peers.
   [[nodiscard]] RenderState read_share(const BandPlace& place, const Plan& plan,
                                        const Peers& peers);
+  // The rest row by row instead, from the top to the last of the window, and then the end.
+  void read_row(FilmRow& row);
+  /// The state, whose film has no pixels but all that it holds beside them.
+  [[nodiscard]] RenderState end_rows();
   /// Reads the rest only to see that it is not damaged.
   void check();
 
@@ -45,7 +49,6 @@ private:
   void read_info(const std::string& content);
   void read_progress(const std::string& content);
   void read_film_form(const std::string& content);
-  void read_row(FilmRow& row);
   [[nodiscard]] RenderState read(const BandPlace& place,
                                  const std::function<void(int, FilmRow&)>& change);
 

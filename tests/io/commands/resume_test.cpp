@@ -144,6 +144,38 @@ TEST_CASE("parts spread their samples by a plan file, and merge into what the wh
   place.refuses("render scene.sdl --spp 64 --plan-in p.plan -o a.exr", "is not what it was");
 }
 
+TEST_CASE("the layers of parts merge into those of the whole") {
+  const Place place;
+  const std::string options =
+      "render scene.sdl -q --spp 40 --adaptive off --errors --layers "
+      "depth.nearest,normal,object,material,samples,variance,light:*,caustic -o ";
+  place.run(options + "w.exr");
+  for (const char* const part : {"1", "2", "3"})
+    place.run(options + "p" + part + ".state --part " + part + "/3");
+  place.run("merge p3.state p1.state p2.state -q -o m.exr");
+  CHECK(place.bytes("m.exr") == place.bytes("w.exr"));
+}
+
+// loopsubdiv is not understood: the scene is rendered without, where that is asked for.
+TEST_CASE("a scene that was read leniently is so again when its states are used") {
+  const Place place;
+  place.write("scene.pbrt", "Camera \"perspective\"\n"
+                            "Film \"rgb\" \"integer xresolution\" [ 20 ] "
+                            "\"integer yresolution\" [ 12 ]\n"
+                            "WorldBegin\nLightSource \"infinite\"\n"
+                            "Shape \"loopsubdiv\" \"integer levels\" 3\n"
+                            "Material \"diffuse\"\nTranslate 0 0 4\nShape \"sphere\"\n");
+  const std::string options = "render scene.pbrt --lenient -q --spp 4 --adaptive off ";
+  place.run(options + "-o w.exr");
+  place.run(options + "--part 1/2 -o p1.state");
+  place.run(options + "--part 2/2 -o p2.state");
+  place.run("merge p1.state p2.state -q -o m.exr");
+  CHECK(place.bytes("m.exr") == place.bytes("w.exr"));
+  place.run("render --resume p2.state -q -o p2.state");
+  place.run("merge p1.state p2.state -q -o m.exr");
+  CHECK(place.bytes("m.exr") == place.bytes("w.exr"));
+}
+
 TEST_CASE("what cannot be rendered in parts is refused with a hint") {
   const Place place;
   place.refuses("render scene.sdl --part 1/2 -o a.state", "Add --adaptive off");
