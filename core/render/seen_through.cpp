@@ -31,7 +31,7 @@ struct Turn {
 Turn turn_at(const Plan& plan, const Hit& hit, const dvec3& direction, bool transmits) {
   const dvec3 normal = hit.facing_shading_normal();
   const auto on_side = [&](const dvec3& turned, bool above) {
-    return hit.bent() ? kept_on_side(turned, hit.facing_normal(), above) : turned;
+    return hit.bent ? kept_on_side(turned, hit.facing_normal(), above) : turned;
   };
   const double cos_i = std::clamp(-glm::dot(direction, normal), 0.0, 1.0);
   if (transmits) {
@@ -73,9 +73,7 @@ SeenThrough see_through(const Plan& plan, const World& world, RayState state, co
       return seen;
     }
     const Turn turn = turn_at(plan, hit, state.ray.direction, facts.transmits);
-    state = {{hit.point, turn.direction},
-             turn.through ? hit.other_side : hit.same_side,
-             turn.through ? hit.nesting_after : hit.nesting_before};
+    state = hit.going_on(turn.direction, turn.through);
     straight_on = false;
     ++seen.surfaces;
     seen.deviation = angle_between(begin, turn.direction);
