@@ -204,9 +204,7 @@ void LightPaths::splat(const Hit& hit) {
   const BandSpan<float> light{light_.data(), bundle().bands};
   if (!(scattering_.evaluate(direction, light.data) > 0.0)) return;
   const bool through = (glm::dot(direction, hit.normal) > 0.0) != hit.entering;
-  const RayState to_eye{{hit.point, direction},
-                        through ? hit.other_side : hit.same_side,
-                        through ? hit.nesting_after : hit.nesting_before};
+  const RayState to_eye = hit.going_on(direction, through);
   const float* arriving = nullptr;
   if (plan_.dims_on_the_way()) {
     arriving = to_camera_.along(to_eye, distance, light.bands, wavelengths_, *counts_);

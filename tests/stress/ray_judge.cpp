@@ -151,7 +151,7 @@ void RayJudge::check_behind(const RayState& state, const Hit& hit, const ExactCr
   for (std::size_t i = 0; i < bodies_.size(); ++i)
     if (i != hit.shape.index() && bodies_[i].comes_near(p, 4 * blur(i, p, hit.t))) return;
   look(state, same.t + 0.4142L * (to - same.t));
-  if (!place_.certain || same_solids(hit.nesting_after)) return;
+  if (!place_.certain || same_solids(hit.nesting_after())) return;
   fail("wrong_behind", state, hit);
 }
 
