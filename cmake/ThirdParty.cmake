@@ -28,6 +28,31 @@ set_target_properties(lcms2::lcms2 PROPERTIES
   IMPORTED_LOCATION "${LCMS2_LIBRARY}"
   INTERFACE_INCLUDE_DIRECTORIES "${LCMS2_INCLUDE_DIR}")
 
+# Looks by OpenColorIO are there where it is found. Debian 12 puts its configuration for CMake where
+# CMake does not look, with paths that fit elsewhere.
+find_path(OCIO_INCLUDE_DIR OpenColorIO/OpenColorIO.h)
+find_library(OCIO_LIBRARY OpenColorIO)
+if(OCIO_INCLUDE_DIR AND OCIO_LIBRARY)
+  add_library(ocio::ocio UNKNOWN IMPORTED)
+  set_target_properties(ocio::ocio PROPERTIES
+    IMPORTED_LOCATION "${OCIO_LIBRARY}"
+    INTERFACE_INCLUDE_DIRECTORIES "${OCIO_INCLUDE_DIR}")
+endif()
+
+# The server of abbe preview, which is left out where this is missing. Debian builds it as a library;
+# how it was built, which its header must know, stands in the file for pkg-config alone. It is no imported
+# target, since these definitions are for one source file.
+find_path(HTTPLIB_INCLUDE_DIR httplib.h)
+find_library(HTTPLIB_LIBRARY cpp-httplib)
+find_file(HTTPLIB_PKG_CONFIG cpp-httplib.pc PATH_SUFFIXES pkgconfig
+  PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE} /usr/lib /usr/share)
+if(HTTPLIB_INCLUDE_DIR AND HTTPLIB_LIBRARY AND HTTPLIB_PKG_CONFIG)
+  file(STRINGS "${HTTPLIB_PKG_CONFIG}" httplib_flags REGEX "^Cflags:")
+  string(REGEX MATCHALL "CPPHTTPLIB_[A-Z_]+" HTTPLIB_DEFINITIONS "${httplib_flags}")
+else()
+  message(STATUS "cpp-httplib is missing: abbe preview is left out")
+endif()
+
 if(ABBE_TESTS)
   find_package(Catch2 CONFIG REQUIRED)
   message(STATUS "Catch2 ${Catch2_VERSION}")

@@ -2,8 +2,10 @@
 
 #include "spectral/data_table.h"
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace abbe {
 namespace {
@@ -79,7 +81,7 @@ std::optional<double> read_optional(std::string_view text) {
   return parse_number(text);
 }
 
-std::vector<Glass> load_catalogue() {
+std::vector<Glass> load_glasses() {
   const DataTable table{embedded_table("glass.csv")};
   std::vector<Glass> list;
   for (int row = 0; row < table.row_count(); ++row) {
@@ -92,16 +94,37 @@ std::vector<Glass> load_catalogue() {
   return list;
 }
 
+/// What people call materials that the catalogue has under a longer name.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kCommonNames{{
+    {"water", "water-20C"},
+    {"air", "air-15C"},
+    {"window", "soda-lime"},
+    {"window-glass", "soda-lime"},
+    {"zirconia", "zirconia-cubic"},
+    {"cubic-zirconia", "zirconia-cubic"},
+    {"sapphire", "sapphire-o"},
+    {"ruby", "sapphire-o"},
+    {"quartz", "crystal-quartz-o"},
+    {"silica", "fused-silica"},
+    {"calcite", "calcite-o"},
+    {"fluorite", "CaF2"},
+    {"salt", "NaCl"},
+    {"rutile", "TiO2-rutile-o"},
+    {"plexiglass", "PMMA"},
+}};
+
 } // namespace
 
 const std::vector<Glass>& glass_catalogue() {
-  static const std::vector<Glass> list = load_catalogue();
+  static const std::vector<Glass> list = load_glasses();
   return list;
 }
 
 const Glass* find_glass(std::string_view name) {
   for (const Glass& glass : glass_catalogue())
     if (same_name(glass.name, name)) return &glass;
+  for (const auto& [common, in_catalogue] : kCommonNames)
+    if (same_name(common, name)) return find_glass(in_catalogue);
   return nullptr;
 }
 

@@ -3,12 +3,14 @@
 #include "spectral/data_table.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace abbe {
 namespace {
 
 // Each file of data/conductors/ is one metal, named after it.
-std::vector<Metal> load_catalogue() {
+std::vector<Metal> load_metals() {
   constexpr std::string_view kFolder = "conductors/";
   constexpr std::string_view kEnding = ".csv";
   std::vector<Metal> list;
@@ -26,16 +28,33 @@ std::vector<Metal> load_catalogue() {
   return list;
 }
 
+/// What people call metals.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kCommonNames{{
+    {"silver", "Ag"},
+    {"gold", "Au"},
+    {"copper", "Cu"},
+    {"chromium", "Cr"},
+    {"chrome", "Cr"},
+    {"iron", "Fe"},
+    {"nickel", "Ni"},
+    {"titanium", "Ti"},
+    {"aluminium", "Al"},
+    {"aluminum", "Al"},
+    {"platinum", "Pt"},
+}};
+
 } // namespace
 
 const std::vector<Metal>& metal_catalogue() {
-  static const std::vector<Metal> list = load_catalogue();
+  static const std::vector<Metal> list = load_metals();
   return list;
 }
 
 const Metal* find_metal(std::string_view symbol) {
   for (const Metal& metal : metal_catalogue())
     if (same_name(metal.name, symbol)) return &metal;
+  for (const auto& [common, in_catalogue] : kCommonNames)
+    if (same_name(common, symbol)) return find_metal(in_catalogue);
   return nullptr;
 }
 

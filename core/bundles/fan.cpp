@@ -299,6 +299,7 @@ void go_on_as(const FanCell& cell, const Bundle& bundle, Bundle& next) {
   next.straight_on = false;
   next.view = view_on(bundle, RayKind::refracted);
   next.depth = bundle.depth + 1;
+  next.panes = bundle.panes;
   next.unseen_length = 0.0;
   next.pdf = 0.0;
   next.nonspecular_bounces = bundle.nonspecular_bounces;

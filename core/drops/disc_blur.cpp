@@ -9,8 +9,6 @@
 namespace abbe {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 double safe_acos(double x) {
   return std::acos(std::clamp(x, -1.0, 1.0));
 }
@@ -25,22 +23,23 @@ double cap_height(double radius) {
 
 double cap_share(double radius, double distance, double reach) {
   // Seen from the other pole the rest of the spot is within pi - reach.
-  if (distance > 0.5 * kPi) return 1.0 - cap_share(radius, kPi - distance, kPi - reach);
+  if (distance > 0.5 * std::numbers::pi)
+    return 1.0 - cap_share(radius, std::numbers::pi - distance, std::numbers::pi - reach);
   if (reach >= distance + radius) return 1.0;
   if (reach <= distance - radius) return 0.0;
   if (reach <= radius - distance) return cap_height(reach) / cap_height(radius);
   const double cd = std::cos(distance), cr = std::cos(radius), ct = std::cos(reach);
   const double sd = std::sin(distance), sr = std::sin(radius), st = std::sin(reach);
-  const double area = 2.0 * (kPi - safe_acos((cd - cr * ct) / (sr * st)) -
+  const double area = 2.0 * (std::numbers::pi - safe_acos((cd - cr * ct) / (sr * st)) -
                              cr * safe_acos((ct - cd * cr) / (sd * sr)) -
                              ct * safe_acos((cr - cd * ct) / (sd * st)));
-  return std::clamp(area / (2.0 * kPi * cap_height(radius)), 0.0, 1.0);
+  return std::clamp(area / (2.0 * std::numbers::pi * cap_height(radius)), 0.0, 1.0);
 }
 
 DiscBlur::DiscBlur(std::size_t cells, double radius) {
-  assert(cells > 0 && radius >= 0.0 && radius < 0.5 * kPi);
+  assert(cells > 0 && radius >= 0.0 && radius < 0.5 * std::numbers::pi);
   if (radius == 0.0) return;
-  const double width = kPi / static_cast<double>(cells);
+  const double width = std::numbers::pi / static_cast<double>(cells);
   const auto cell_at = [&](double angle) {
     return std::min(static_cast<std::size_t>(std::max(angle, 0.0) / width), cells - 1);
   };
@@ -49,7 +48,7 @@ DiscBlur::DiscBlur(std::size_t cells, double radius) {
     const double low = static_cast<double>(j) * width, high = low + width;
     Spread& spread = spreads_[j];
     spread.first = cell_at(low - radius);
-    const std::size_t last = cell_at(std::min(high + radius, kPi));
+    const std::size_t last = cell_at(std::min(high + radius, std::numbers::pi));
     spread.shares.resize(last - spread.first + 1);
     // Light of the cell comes from its rings; four of equal area stand for all.
     constexpr int kRings = 4;

@@ -10,8 +10,6 @@
 namespace abbe {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 double whole_power(double x, int exponent) {
   double power = 1.0;
   for (int k = 0; k < exponent; ++k)
@@ -37,7 +35,7 @@ struct Meeting {
   }
 
   [[nodiscard]] double deviation(int order) const {
-    return 2.0 * incidence - 2.0 * order * refraction + (order - 1) * kPi;
+    return 2.0 * incidence - 2.0 * order * refraction + (order - 1) * std::numbers::pi;
   }
   [[nodiscard]] double share(int order) const {
     if (order == 0) return 0.5 * (s + p);
@@ -87,7 +85,7 @@ void add_piece(const std::array<const Meeting*, 3>& at, int order, std::span<dou
   const Parabola deviation = value([&](const Meeting& m) { return m.deviation(order); });
   const Parabola flux = value([&](const Meeting& m) { return m.share(order) * m.rings; });
   const double length = at[2]->incidence - at[0]->incidence;
-  const double width = kPi / static_cast<double>(cells.size());
+  const double width = std::numbers::pi / static_cast<double>(cells.size());
   const double from = at[0]->deviation(order), to = at[2]->deviation(order);
   const bool rising = to > from;
   double x = 0.0, before = 0.0;
@@ -111,7 +109,7 @@ void add_piece(const std::array<const Meeting*, 3>& at, int order, std::span<dou
 std::vector<Meeting> meetings(double n) {
   std::vector<Meeting> list;
   for (int k = 0; k <= 2 * kPieces; ++k)
-    list.emplace_back(n, 0.25 * kPi * k / kPieces);
+    list.emplace_back(n, 0.25 * std::numbers::pi * k / kPieces);
   return list;
 }
 
@@ -129,7 +127,7 @@ std::optional<double> bow_incidence(double n, int order) {
 std::optional<double> bow_angle(double n, int order) {
   const auto incidence = bow_incidence(n, order);
   if (!incidence) return std::nullopt;
-  return std::abs(std::remainder(drop_deviation(n, order, *incidence), 2.0 * kPi));
+  return std::abs(std::remainder(drop_deviation(n, order, *incidence), 2.0 * std::numbers::pi));
 }
 
 double drop_share(double n, int order, double incidence) {
@@ -140,7 +138,7 @@ void add_drop_flux(double n, int first_order, int last_order, std::span<double> 
   assert(n >= 1.0 && first_order >= 0 && !cells.empty());
   const std::vector<Meeting> at = meetings(n);
   for (int order = first_order; order <= last_order; ++order) {
-    const double bow = bow_incidence(n, order).value_or(kPi);
+    const double bow = bow_incidence(n, order).value_or(std::numbers::pi);
     for (std::size_t k = 0; k + 2 < at.size(); k += 2) {
       const Meeting &a = at[k], &b = at[k + 2];
       if (bow <= a.incidence || bow >= b.incidence) {
@@ -161,7 +159,7 @@ double drop_remainder(double n, int last_order) {
   double sum = 0.0;
   for (std::size_t k = 0; k + 2 < at.size(); k += 2)
     sum += Parabola(value(at[k]), value(at[k + 1]), value(at[k + 2])).integral_to(1.0);
-  return sum * 0.5 * kPi / kPieces;
+  return sum * 0.5 * std::numbers::pi / kPieces;
 }
 
 } // namespace abbe

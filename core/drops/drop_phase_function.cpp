@@ -13,8 +13,6 @@
 namespace abbe {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 const Dispersion& catalogue_index(const char* name) {
   const Glass* glass = find_glass(name);
   if (!glass) throw std::logic_error(std::string("glass.csv has no ") + name);
@@ -60,8 +58,9 @@ DropPhaseFunction::DropPhaseFunction(const Dispersion& index,
 }
 
 double DropPhaseFunction::solid_angle(std::size_t cell) const {
-  const double half = 0.5 * kPi / static_cast<double>(cells_);
-  return 4.0 * kPi * std::sin(half * static_cast<double>(2 * cell + 1)) * std::sin(half);
+  const double half = 0.5 * std::numbers::pi / static_cast<double>(cells_);
+  return 4.0 * std::numbers::pi * std::sin(half * static_cast<double>(2 * cell + 1)) *
+         std::sin(half);
 }
 
 double DropPhaseFunction::flux(std::size_t cell, int band) const {
@@ -72,7 +71,8 @@ double DropPhaseFunction::flux(std::size_t cell, int band) const {
 DropPhaseFunction::Place DropPhaseFunction::at(double cosine) const {
   const double angle = std::acos(std::clamp(cosine, -1.0, 1.0));
   const auto last = static_cast<double>(cells_ - 1);
-  const double place = std::clamp(angle / kPi * static_cast<double>(cells_) - 0.5, 0.0, last);
+  const double place =
+      std::clamp(angle / std::numbers::pi * static_cast<double>(cells_) - 0.5, 0.0, last);
   const auto below = static_cast<std::size_t>(place);
   const std::size_t above = std::min(below + 1, cells_ - 1);
   return {values_.data() + below * stride_, values_.data() + above * stride_,

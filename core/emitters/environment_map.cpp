@@ -22,11 +22,12 @@ SmoothCurve smooth_curve(const LinearRgb& color) {
 } // namespace
 
 std::optional<EnvironmentMap> EnvironmentMap::make(const Environment& environment,
-                                                   const std::vector<double>& wavelengths_nm) {
+                                                   const std::vector<double>& wavelengths_nm,
+                                                   double bright_from) {
   EnvironmentMap map(environment, wavelengths_nm);
   if (std::all_of(map.luminance_.begin(), map.luminance_.end(), [](float v) { return v == 0.0f; }))
     return std::nullopt;
-  map.choose_cells();
+  map.choose_cells(bright_from);
   return map;
 }
 
@@ -51,19 +52,26 @@ EnvironmentMap::EnvironmentMap(const Environment& environment,
   }
 }
 
-void EnvironmentMap::choose_cells() {
+void EnvironmentMap::choose_cells(double bright_from) {
   row_cosines_.push_back(1.0);
   for (int j = 0; j < height_; ++j)
     row_cosines_.push_back(std::cos(pi * (j + 0.5) / height_));
   row_cosines_.push_back(-1.0);
+  choice_ = cells(0.0);
+  limit_ = bright_from * total() / (4.0 * pi);
+  if (std::ranges::any_of(luminance_, [&](float v) { return static_cast<double>(v) > limit_; }))
+    bright_choice_ = cells(limit_);
+}
+
+CellChoice EnvironmentMap::cells(double limit) const {
   std::vector<double> weights;
   for (int row = 0; row <= height_; ++row) {
     const auto r = static_cast<std::size_t>(row);
     const double angle = 2.0 * pi / width_ * (row_cosines_[r] - row_cosines_[r + 1]);
     for (int column = 0; column < width_; ++column)
-      weights.push_back(angle * mean_luminance(corners(row, column)));
+      weights.push_back(angle * mean_luminance(corners(row, column), limit));
   }
-  choice_.emplace(weights, static_cast<std::size_t>(width_));
+  return {weights, static_cast<std::size_t>(width_)};
 }
 
 /// Cell (row, column) lies between the middles of pixel rows row - 1 and row, at the poles between
@@ -94,10 +102,10 @@ EnvironmentMap::Corners EnvironmentMap::corners(const dvec3& direction) const {
   return found;
 }
 
-double EnvironmentMap::mean_luminance(const Corners& corners) const {
+double EnvironmentMap::mean_luminance(const Corners& corners, double limit) const {
   double sum = 0.0;
   for (const std::size_t i : corners.pixel)
-    sum += static_cast<double>(luminance_[i]);
+    sum += std::max(0.0, static_cast<double>(luminance_[i]) - limit);
   return 0.25 * sum;
 }
 
@@ -129,7 +137,15 @@ void EnvironmentMap::scale(const dvec3& direction, BandSpan<float> values) const
 }
 
 dvec3 EnvironmentMap::sample(const dvec2& u) const {
-  const CellChoice::Choice cell = choice_->choose(u);
+  return sample(*choice_, u);
+}
+
+dvec3 EnvironmentMap::sample_bright(const dvec2& u) const {
+  return sample(*bright_choice_, u);
+}
+
+dvec3 EnvironmentMap::sample(const CellChoice& choice, const dvec2& u) const {
+  const CellChoice::Choice cell = choice.choose(u);
   const double turn = (static_cast<double>(cell.column) + 0.5 + cell.inside.x) / width_ - 0.5;
   const double y = row_cosines_[cell.row] +
                    cell.inside.y * (row_cosines_[cell.row + 1] - row_cosines_[cell.row]);
@@ -139,7 +155,22 @@ dvec3 EnvironmentMap::sample(const dvec2& u) const {
 }
 
 double EnvironmentMap::pdf(const dvec3& direction) const {
-  return mean_luminance(corners(direction)) / total();
+  return mean_luminance(corners(direction), 0.0) / total();
+}
+
+// Between the middles of pixels luminance is at most that of the brightest corner: where it is
+// above the limit, so is a corner, and the pdf is not 0.
+double EnvironmentMap::bright_pdf(const dvec3& direction) const {
+  return mean_luminance(corners(direction), limit_) / bright_total();
+}
+
+double EnvironmentMap::bright_share(const dvec3& direction) const {
+  if (!has_bright()) return 0.0;
+  const Corners around = corners(direction);
+  double luminance = 0.0;
+  for (int k = 0; k < 4; ++k)
+    luminance += around.part[k] * static_cast<double>(luminance_[around.pixel[k]]);
+  return luminance > limit_ ? 1.0 - limit_ / luminance : 0.0;
 }
 
 } // namespace abbe

@@ -17,8 +17,10 @@ public:
   FileBackedSums();
   /// In memory. Errors: std::bad_alloc.
   explicit FileBackedSums(std::size_t count);
-  /// In a file in the folder. Errors: std::runtime_error, which names the folder and the size.
-  FileBackedSums(std::size_t count, const std::filesystem::path& folder);
+  /// In a file in the folder, of which about `resident` bytes are in memory at once.
+  /// Errors: std::runtime_error, which names the folder and the size.
+  FileBackedSums(std::size_t count, const std::filesystem::path& folder,
+                 std::size_t resident = kResidentBytes);
   FileBackedSums(FileBackedSums&&) noexcept;
   FileBackedSums& operator=(FileBackedSums&&) noexcept;
   ~FileBackedSums();
@@ -29,8 +31,8 @@ public:
   [[nodiscard]] std::int64_t operator[](std::size_t i) const { return data_[i]; }
 
   /// Tells that about so many sums, not told of before, were read or written. When those in a file
-  /// fill `kResidentBytes`, the process gives back the memory that shows them; their values stay.
-  /// Any number of threads may tell, read and write meanwhile.
+  /// fill what may be resident, the process gives back the memory that shows them; their values
+  /// stay. Any number of threads may tell, read and write meanwhile.
   void touched(std::size_t count) const;
 
   static constexpr std::size_t kResidentBytes = std::size_t{256} << 20;

@@ -1,6 +1,7 @@
 #include "core/film/film.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -14,10 +15,12 @@ constexpr double kShareQuantum = 0x1p-32;
 
 std::vector<Layer> make_layers(std::vector<LayerForm> forms, std::size_t pixels,
                                const BandPlace& place) {
+  const LayerPlaces places = layer_places(forms, pixels, place);
+  const BandPlace file{place.folder, 0, place.spectra, places.resident};
   std::vector<Layer> layers;
   layers.reserve(forms.size());
-  for (LayerForm& form : forms)
-    layers.emplace_back(std::move(form), pixels, place);
+  for (std::size_t i = 0; i < forms.size(); ++i)
+    layers.emplace_back(std::move(forms[i]), pixels, places.in_file[i] ? file : BandPlace{});
   return layers;
 }
 
@@ -25,7 +28,39 @@ bool has_strata(const std::vector<Layer>& layers) {
   return std::ranges::any_of(layers, [](const Layer& l) { return l.form().strata; });
 }
 
+/// True for what nearly every rendering has.
+bool is_of_beauty(const LayerForm& form) {
+  constexpr std::array kNames{kBeauty, kSplats, kTransparency};
+  return std::ranges::find(kNames, form.name) != kNames.end();
+}
+
+std::size_t bytes_of(const LayerForm& form, std::size_t pixels) {
+  return pixels * form.values() * sizeof(std::int64_t);
+}
+
 } // namespace
+
+LayerPlaces layer_places(std::span<const LayerForm> layers, std::size_t pixels,
+                         const BandPlace& place) {
+  LayerPlaces places{std::vector<bool>(layers.size(), false)};
+  if (place.folder.empty()) return places;
+  std::size_t together = 0, files = 0;
+  for (const LayerForm& form : layers)
+    if (form.kind != LayerKind::bands && !is_of_beauty(form)) together += bytes_of(form, pixels);
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const LayerForm& form = layers[i];
+    const std::size_t bytes = bytes_of(form, pixels);
+    const std::size_t counts = form.kind == LayerKind::bands ? bytes
+                               : is_of_beauty(form)          ? 0
+                                                             : together;
+    places.in_file[i] = bytes > 0 && counts > place.largest_in_memory;
+    if (places.in_file[i]) files += form.strata ? 2 : 1;
+  }
+  // All files share what one may have, but for a few pages each.
+  constexpr std::size_t kLeast = std::size_t{4} << 20;
+  if (files > 0) places.resident = std::max(FileBackedSums::kResidentBytes / files, kLeast);
+  return places;
+}
 
 std::vector<LayerForm> beauty_layers(const BeautyForm& form) {
   LayerForm beauty{kBeauty, LayerKind::xyz, form.quantum, 0};
@@ -62,8 +97,8 @@ Film::Film(PixelWindow window, std::vector<LayerForm> layers, const BandPlace& p
       band_splats_(find(kBandSplats)), transparency_(find(kTransparency)),
       counts_(window.pixel_count()), covered_(window.pixel_count()),
       strata_(has_strata(layers_) ? window.pixel_count() : 0) {
-  if (layers_.size() >= std::numeric_limits<std::uint8_t>::max())
-    throw std::length_error("a film has fewer than 255 layers");
+  if (layers_.size() >= std::numeric_limits<std::uint16_t>::max())
+    throw std::length_error("a film has fewer than 65535 layers");
 }
 
 Film::Film(PixelWindow window, double quantum, int bands, bool keep_errors, const BandPlace& place)

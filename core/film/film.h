@@ -23,7 +23,7 @@ struct FilmSample {
 struct FilmRow;
 
 /// The number of a layer of a film.
-enum class LayerId : std::uint8_t {};
+enum class LayerId : std::uint16_t {};
 
 /// The layers that the picture itself is made of: the colours of camera samples (`kBeauty`), their
 /// bands where these are kept, and the splats of light paths, which have a count of their own.
@@ -50,6 +50,16 @@ inline constexpr const char* kTransmittance = "transmittance";
 /// A layer of one of these names. Sums have room for 2^31 samples on which nothing is lost.
 [[nodiscard]] LayerForm transparency_layer();
 [[nodiscard]] LayerForm transmittance_layer();
+
+/// Which of a film's layers have their sums in files, and how much of each file is in memory.
+struct LayerPlaces {
+  std::vector<bool> in_file; ///< by layer
+  std::size_t resident = FileBackedSums::kResidentBytes;
+};
+/// The bands of one layer go to a file where they are large. All layers that are written beside the
+/// picture go to files where they are large together; what every rendering has stays in memory.
+[[nodiscard]] LayerPlaces layer_places(std::span<const LayerForm> layers, std::size_t pixels,
+                                       const BandPlace& place);
 
 /// Named sums of what the samples of each pixel bring. All sums and counts are integers, and where
 /// a sample belongs follows from its index, so a film does not depend on the order in which samples

@@ -57,9 +57,9 @@ void sum_up(std::int64_t& total, std::int64_t* first, std::int64_t more, Refused
 
 FileBackedSums make_sums(const LayerForm& form, std::size_t pixels, const BandPlace& place) {
   const std::size_t sums = pixels * form.values();
-  const bool in_memory = form.kind != LayerKind::bands || place.folder.empty() ||
-                         sums * sizeof(std::int64_t) <= place.largest_in_memory;
-  return in_memory ? FileBackedSums(sums) : FileBackedSums(sums, place.folder);
+  const bool in_memory =
+      place.folder.empty() || sums * sizeof(std::int64_t) <= place.largest_in_memory;
+  return in_memory ? FileBackedSums(sums) : FileBackedSums(sums, place.folder, place.resident);
 }
 
 } // namespace

@@ -54,11 +54,14 @@ struct RefusedValues {
   std::uint64_t not_finite = 0, negative = 0, overflow = 0;
 };
 
-/// Where a film keeps the sums of bands: more than `largest_in_memory` bytes of them in a file in
-/// `folder`, unless that is empty.
+/// Where a film keeps large sums: more than `largest_in_memory` bytes of them in a file in
+/// `folder`, unless that is empty. See `layer_places`.
 struct BandPlace {
   std::filesystem::path folder = {};
   std::size_t largest_in_memory = std::size_t{512} << 20;
+  bool spectra = true; ///< the film keeps the bands of each pixel
+  /// How much of each file is in memory at once.
+  std::size_t resident = FileBackedSums::kResidentBytes;
 };
 
 /// Sums of one quantity for all pixels of a film. They are integers, so their value does not depend

@@ -55,6 +55,10 @@ const char* arrival_layer(Arrival arrival) {
   return "";
 }
 
+std::string band_layer(int band) {
+  return "band:" + std::to_string(band);
+}
+
 std::string splats_of(const std::string& layer) {
   return layer + ".splats";
 }
@@ -83,6 +87,9 @@ std::vector<LayerForm> part_layers(const Plan& plan, bool splats) {
   for (int i = 0; i < kArrivals; ++i)
     if (asked.has(kArrivalLayers[i]))
       colors(arrival_layer(static_cast<Arrival>(i)), static_cast<Arrival>(i) != Arrival::direct);
+  if (plan.settings.band_images)
+    for (int b = 0; b < plan.grid.count(); ++b)
+      colors(band_layer(b), true);
   return forms;
 }
 
@@ -96,19 +103,33 @@ PartLayers::PartLayers(const Plan& plan, Film& film) : plan_(plan), film_(film) 
   for (std::size_t i = 0; i < arrivals_.size(); ++i)
     arrivals_[i] = find(arrival_layer(static_cast<Arrival>(i)));
   const auto asked = [](const Ids& ids) { return ids.samples.has_value(); };
-  empty_ = std::ranges::none_of(groups_, asked) && std::ranges::none_of(units_, asked) &&
-           std::ranges::none_of(views_, asked) && std::ranges::none_of(arrivals_, asked);
+  divides_ = std::ranges::any_of(groups_, asked) || std::ranges::any_of(units_, asked) ||
+             std::ranges::any_of(views_, asked) || std::ranges::any_of(arrivals_, asked);
+  if (!film.find(band_layer(0))) return;
+  for (int b = 0; b < plan.grid.count(); ++b)
+    bands_.push_back(find(band_layer(b)));
 }
 
 PartLayers::Ids PartLayers::find(const std::string& layer) const {
   return {film_.find(layer), film_.find(splats_of(layer))};
 }
 
-void PartLayers::add(const Film::Place& place, const Xyz& beauty, RadianceParts& parts) {
-  if (place.refused) return;
+/// As the beauty rounds it.
+ColorSteps PartLayers::steps_of(const Xyz& beauty) const {
   ColorSteps whole;
   for (std::size_t i = 0; i < whole.size(); ++i)
-    whole[i] = std::llround(component(beauty, i) / plan_.quantum); // as the beauty rounds it
+    whole[i] = std::llround(component(beauty, i) / plan_.quantum);
+  return whole;
+}
+
+void PartLayers::add_bands(const Film::Place& place, const Xyz& beauty,
+                           std::span<const Xyz> bands) {
+  if (!place.refused) divide(place, steps_of(beauty), bands, bands_);
+}
+
+void PartLayers::add(const Film::Place& place, const Xyz& beauty, RadianceParts& parts) {
+  if (place.refused) return;
+  const ColorSteps whole = steps_of(beauty);
   divide(place, whole, parts.groups(), groups_);
   divide(place, whole, parts.views(), views_);
   divide(place, whole, parts.arrivals(), arrivals_);
@@ -139,6 +160,8 @@ void PartLayers::divide(const Film::Place& place, const ColorSteps& whole,
 
 void PartLayers::splat(int x, int y, const Xyz& color, std::span<const float> unit,
                        const SplatPart& part, double u) {
+  for (std::size_t b = 0; b < part.bands.size(); ++b)
+    film_.splat(*bands_[b].splats, x, y, part.bands[b], u);
   const auto add = [&](const Ids& ids) {
     if (ids.splats) film_.splat(*ids.splats, x, y, color, u);
   };

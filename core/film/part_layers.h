@@ -19,6 +19,7 @@ namespace abbe {
 [[nodiscard]] std::string unit_layer(const std::string& group);
 [[nodiscard]] const char* view_layer(View view);
 [[nodiscard]] const char* arrival_layer(Arrival arrival);
+[[nodiscard]] std::string band_layer(int band);
 [[nodiscard]] std::string splats_of(const std::string& layer);
 
 /// One way in which the light of a splat is divided.
@@ -26,6 +27,7 @@ struct SplatPart {
   int group = -1; ///< of lights
   View view = View::direct;
   Arrival arrival = Arrival::caustic;
+  std::span<const Xyz> bands = {}; ///< its colours by band, of a rendering of band images
 };
 
 /// Adds the parts of samples to the layers of a film. Parts add up to the beauty in its integers:
@@ -37,9 +39,13 @@ public:
   PartLayers(const Plan& plan, Film& film);
 
   /// True where there is nothing to do.
-  [[nodiscard]] bool empty() const { return empty_; }
+  [[nodiscard]] bool empty() const { return !divides_ && bands_.empty(); }
+  /// True where light is divided by lights and ways, so that `add` has something to do.
+  [[nodiscard]] bool divides() const { return divides_; }
   /// Adds a sample's parts, unless the beauty has refused it.
   void add(const Film::Place& place, const Xyz& beauty, RadianceParts& parts);
+  /// Adds the parts of its bands.
+  void add_bands(const Film::Place& place, const Xyz& beauty, std::span<const Xyz> bands);
   /// Adds a splat's. `unit` are its bands under light of equal energy, empty unless relightable.
   void splat(int x, int y, const Xyz& color, std::span<const float> unit, const SplatPart& part,
              double u);
@@ -50,15 +56,17 @@ private:
     std::optional<LayerId> samples, splats;
   };
   [[nodiscard]] Ids find(const std::string& layer) const;
+  [[nodiscard]] ColorSteps steps_of(const Xyz& beauty) const;
   void divide(const Film::Place& place, const ColorSteps& whole, std::span<const Xyz> parts,
               std::span<const Ids> layers);
 
   const Plan& plan_;
   Film& film_;
   std::vector<Ids> groups_, units_;
+  std::vector<Ids> bands_; ///< empty unless each band has an image
   std::array<Ids, kViews> views_;
   std::array<Ids, kArrivals> arrivals_;
-  bool empty_ = true;
+  bool divides_ = false;
   std::vector<ColorSteps> steps_; ///< scratch
 };
 

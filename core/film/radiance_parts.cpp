@@ -1,8 +1,52 @@
 #include "core/film/radiance_parts.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace abbe {
+namespace {
+
+constexpr int kPartLanes = 4;
+using PartLights = float __attribute__((vector_size(kPartLanes * sizeof(float))));
+using PartSums = double __attribute__((vector_size(kPartLanes * sizeof(double))));
+
+PartLights lanes_at(const float* values) {
+  PartLights lanes;
+  std::memcpy(&lanes, values, sizeof lanes);
+  return lanes;
+}
+
+double sum_of(const PartSums& lanes) {
+  return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+}
+
+/// The colour of light in the throughput's bands, in lanes whose order is fixed.
+Xyz color_of(const BandTable& light, const AccumulatorPlan& weights,
+             BandSpan<const float> throughput, const BandTable& reflectance, float factor) {
+  const auto [first, last] = throughput.bands;
+  PartSums x{}, y{}, z{};
+  int b = first;
+  for (; b + kPartLanes <= last; b += kPartLanes) {
+    const PartLights product =
+        lanes_at(throughput.data + b) *
+        (lanes_at(light.data() + b) * lanes_at(reflectance.data() + b) * factor);
+    const PartSums band = __builtin_convertvector(product, PartSums);
+    x += band * __builtin_convertvector(lanes_at(weights.x.data() + b), PartSums);
+    y += band * __builtin_convertvector(lanes_at(weights.y.data() + b), PartSums);
+    z += band * __builtin_convertvector(lanes_at(weights.z.data() + b), PartSums);
+  }
+  Xyz color{sum_of(x), sum_of(y), sum_of(z)};
+  for (; b < last; ++b) {
+    const auto i = static_cast<std::size_t>(b);
+    const auto band = static_cast<double>(throughput[b] * (light[b] * reflectance[b] * factor));
+    color += Xyz{static_cast<double>(weights.x[i]), static_cast<double>(weights.y[i]),
+                 static_cast<double>(weights.z[i])} *
+             band;
+  }
+  return color;
+}
+
+} // namespace
 
 RadianceParts::RadianceParts(const Plan& plan)
     : plan_(plan), groups_(plan.light_groups.size()),
@@ -27,16 +71,7 @@ void RadianceParts::add(const SourcePlan& source, BandSpan<const float> throughp
   if (!unit_.empty()) add_unit(group, throughput, reflectance, factor);
   if (source.factor.zero()) return;
   const AccumulatorPlan& weights = plan_.accumulators[static_cast<std::size_t>(source.accumulator)];
-  double x = 0.0, y = 0.0, z = 0.0;
-  for (int b = throughput.bands.first; b < throughput.bands.last; ++b) {
-    const auto i = static_cast<std::size_t>(b);
-    const auto light =
-        static_cast<double>(throughput[b] * (source.factor[b] * reflectance[b] * factor));
-    x += light * static_cast<double>(weights.x[i]);
-    y += light * static_cast<double>(weights.y[i]);
-    z += light * static_cast<double>(weights.z[i]);
-  }
-  const Xyz color{x, y, z};
+  const Xyz color = color_of(source.factor, weights, throughput, reflectance, factor);
   groups_[group] += color;
   views_[view_] += color;
   arrivals_[arrival_] += color;

@@ -128,6 +128,22 @@ Xyz RadianceSums::color_from(std::size_t accumulator) const {
   return dots.color();
 }
 
+std::span<const Xyz> RadianceSums::band_colors() {
+  const auto bands = static_cast<std::size_t>(plan_.grid.count());
+  band_colors_.assign(bands, {0.0, 0.0, 0.0});
+  const std::size_t count = plan_.accumulators.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const AccumulatorPlan& weights = plan_.accumulators[i];
+    for (std::size_t b = 0; b < bands; ++b) {
+      const double light = sums(i)[b] + (mapped_ == 0 ? 0.0 : sums(mapped_ + i)[b]);
+      band_colors_[b] += Xyz{static_cast<double>(weights.x[b]), static_cast<double>(weights.y[b]),
+                             static_cast<double>(weights.z[b])} *
+                         light;
+    }
+  }
+  return band_colors_;
+}
+
 std::span<const float> RadianceSums::radiance() {
   const auto bands = static_cast<std::size_t>(plan_.grid.count());
   for (std::size_t b = 0; b < bands; ++b) {

@@ -37,6 +37,8 @@ public:
   [[nodiscard]] Xyz color() const;
   /// The color without what a photon map brings: a function of the sample's random numbers alone.
   [[nodiscard]] Xyz own_color() const;
+  /// What each band adds to the color; the span is valid until the next call.
+  [[nodiscard]] std::span<const Xyz> band_colors();
   /// Mean spectral radiance per band; the span is valid until the next call.
   [[nodiscard]] std::span<const float> radiance();
 
@@ -62,6 +64,7 @@ private:
   RadianceParts* parts_ = nullptr;
   BandRange used_; ///< the sums outside are 0
   std::vector<float> radiance_;
+  std::vector<Xyz> band_colors_; ///< empty until they are asked for
 };
 
 } // namespace abbe

@@ -54,6 +54,7 @@ std::uint32_t cryptomatte_id(std::string_view name) {
 }
 
 std::vector<ImageChannel> cryptomatte_channels(const Film& film, LayerId layer,
+                                               const PixelWindow& part,
                                                std::span<const std::string> names,
                                                std::string_view type) {
   std::vector<std::uint32_t> ids;
@@ -63,7 +64,7 @@ std::vector<ImageChannel> cryptomatte_channels(const Film& film, LayerId layer,
   for (std::size_t i = 0; i < 2 * kCryptomatteRanks; ++i)
     channels.push_back({fmt::format("{}{:02}.{}", type, i / 4, "RGBA"[i % 4]), {}});
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ranks; // id, count
-  for_each_pixel(film.window(), [&](int x, int y) {
+  for_each_pixel(part, [&](int x, int y) {
     ranks.clear();
     for (const auto& [number, count] : film.layer(layer).ids().of(film.window().index(x, y))) {
       if (number >= ids.size()) continue; // a made-up state; a rendering has no such number

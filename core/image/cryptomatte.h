@@ -27,6 +27,7 @@ inline constexpr std::size_t kCryptomatteRanks = 6;
 /// The channels of a layer of ids: `type`00.R, .G, .B, .A and so on, two ranks in each. `names` are
 /// those of the layer's numbers; things of one name are one thing.
 [[nodiscard]] std::vector<ImageChannel> cryptomatte_channels(const Film& film, LayerId layer,
+                                                             const PixelWindow& part,
                                                              std::span<const std::string> names,
                                                              std::string_view type);
 /// The metadata of the layer, with the manifest of all names.

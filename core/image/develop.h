@@ -5,6 +5,8 @@
 #include "core/image/image.h"
 #include "core/plan/plan.h"
 
+#include <string_view>
+
 namespace abbe {
 
 /// Settings that report errors add two channels: `samples`, how many a pixel has, and `error.Y`,
@@ -13,6 +15,21 @@ namespace abbe {
 [[nodiscard]] SceneLinearImage
 develop_scene_linear(const Film& film, const Plan& plan,
                      SceneLinearSpace space = SceneLinearSpace::rec709);
+
+/// Which pixels of a film are wanted, and what of them.
+struct FilmPart {
+  PixelWindow window;          ///< a part of the film's
+  std::string_view layer = {}; ///< empty: the colours and all layers; else this layer alone
+  bool colors_only = false;
+};
+/// The same of a part, without metadata, which `scene_linear_metadata` has for all parts.
+[[nodiscard]] SceneLinearImage develop_scene_linear(const Film& film, const Plan& plan,
+                                                    SceneLinearSpace space, const FilmPart& part);
+[[nodiscard]] Metadata scene_linear_metadata(const Film& film, const Plan& plan);
+/// What one band adds to the picture's colours, of a film that keeps that apart.
+[[nodiscard]] SceneLinearImage develop_band(const Film& film, const Plan& plan, int band,
+                                            SceneLinearSpace space, const PixelWindow& part);
+
 /// Throws std::invalid_argument for a white point that cannot be white.
 [[nodiscard]] DisplayImage develop_display(const Film& film, const Plan& plan,
                                            const DisplaySettings& settings);

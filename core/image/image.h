@@ -1,9 +1,11 @@
 #pragma once
 
+#include "core/plan/camera_matrices.h"
 #include "core/scene/display_settings.h"
 #include "core/scene/pixel_window.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +34,7 @@ struct SceneLinearImage {
   Metadata metadata;
   SceneLinearSpace space = SceneLinearSpace::rec709;
   std::vector<ImageChannel> channels = {};
+  std::optional<CameraMatrices> camera = {}; ///< where it is known
 };
 
 /// Picture for a screen, exposed. `encoded` is brought into its gamut, so within [0, 1] but
@@ -54,6 +57,7 @@ struct SpectralImage {
   std::vector<float> values;
   std::vector<float> rgba; ///< preview, as in SceneLinearImage
   Metadata metadata;
+  std::optional<CameraMatrices> camera = {};
 };
 
 } // namespace abbe

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <span>
+#include <utility>
 
 namespace abbe {
 namespace {
@@ -30,6 +31,17 @@ Metadata lost_metadata(const Film& film) {
   const auto lost = lost_share(film);
   if (!lost) return {};
   return {{"abbe/depthTook", fmt::format("{:.3g} +- {:.2g}", lost->share, lost->error)}};
+}
+
+Metadata film_metadata(const Film& film) {
+  double samples = 0.0;
+  for_each_pixel(film.window(), [&](int x, int y) { samples += film.samples(x, y); });
+  samples /= static_cast<double>(film.window().pixel_count());
+  Metadata data{{"abbe/samplesTaken", fmt::format("{:.6g}", samples)},
+                {"abbe/units", "radiance; that of the equal-energy spectrum of value 1 is Y = 1"}};
+  for (auto& entry : lost_metadata(film))
+    data.push_back(std::move(entry));
+  return data;
 }
 
 Metadata display_metadata(const DisplaySettings& settings, Observer observer) {

@@ -17,6 +17,13 @@ namespace abbe {
 [[nodiscard]] SpectralImage develop_unit(const Film& film, const Plan& plan,
                                          const std::string& group, const PixelWindow& rows);
 
+/// How many times the noise is, in luminance, that a path leaves which follows one band at a time,
+/// when it was rendered under light of equal energy and not under this spectrum. It is the most
+/// that a change of the lamp can do where glass parts the bands. Infinite where a rendering under
+/// the spectrum would have no such noise.
+[[nodiscard]] double noise_of_change(const BandGrid& grid, const Curve& spectrum,
+                                     Observer observer);
+
 /// What the bands of a group's light become under a lamp: X, Y and Z for each band.
 class Lamp {
 public:

@@ -1,7 +1,6 @@
 #include "core/image/scene_linear_space.h"
 
 #include "spectral/adaptation.h"
-#include "spectral/color_space.h"
 
 #include <algorithm>
 #include <limits>
@@ -26,8 +25,12 @@ const char* name(SceneLinearSpace space) {
 
 } // namespace
 
+ColorSpace space_of(SceneLinearSpace space) {
+  return find_color_space(name(space)).value();
+}
+
 Matrix3 matrix_to(SceneLinearSpace space) {
-  const ColorSpace target = find_color_space(name(space)).value();
+  const ColorSpace target = space_of(space);
   const Matrix3 adaptation =
       bradford_adaptation(to_xyz(kSrgbWhite, 1.0), to_xyz(target.white, 1.0));
   return multiply(inverse(rgb_to_xyz_matrix(target.primaries, target.white)), adaptation);

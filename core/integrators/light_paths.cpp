@@ -74,8 +74,11 @@ void LightPaths::add_splats() {
   const std::size_t bands = static_cast<std::size_t>(film_.bands());
   const std::size_t units =
       plan_.settings.relightable ? static_cast<std::size_t>(plan_.grid.count()) : 0;
+  const std::size_t parts =
+      plan_.settings.band_images ? static_cast<std::size_t>(plan_.grid.count()) : 0;
   const float* radiance = held_radiance_.data();
   const float* unit = held_unit_.data();
+  const Xyz* part = held_bands_.data();
   for (const HeldSplat& s : held_) {
     if (s.lost) {
       film_.splat(*lost_splats_, s.x, s.y, s.color, s.rounding);
@@ -84,11 +87,14 @@ void LightPaths::add_splats() {
     film_.add_splat(s.x, s.y, s.color, {radiance, bands}, s.rounding);
     radiance += bands;
     if (part_layers_.empty()) continue;
-    part_layers_.splat(
-        s.x, s.y, s.color, {unit, units},
-        {plan_.sources[static_cast<std::size_t>(s.source)].group, View::direct, s.arrival},
-        s.rounding);
+    part_layers_.splat(s.x, s.y, s.color, {unit, units},
+                       {plan_.sources[static_cast<std::size_t>(s.source)].group,
+                        View::direct,
+                        s.arrival,
+                        {part, parts}},
+                       s.rounding);
     unit += units;
+    part += parts;
   }
   drop_splats();
 }
@@ -97,6 +103,7 @@ void LightPaths::drop_splats() {
   held_.clear();
   held_radiance_.clear();
   held_unit_.clear();
+  held_bands_.clear();
 }
 
 bool LightPaths::start(const EmittedRay& ray) {
@@ -121,6 +128,7 @@ bool LightPaths::start(const EmittedRay& ray) {
     const float carried = live[b];
     row[b] = all || factor[b] != 0.0f ? carried : 0.0f;
   }
+  if (ray.environment) plan_.environment->scale(-ray.state.ray.direction, {row, lit});
   return true;
 }
 
@@ -232,6 +240,10 @@ void LightPaths::hold_back(int x, int y) {
   if (plan_.settings.relightable && group >= 0) {
     const std::span<const float> unit = parts_.unit_radiance(static_cast<std::size_t>(group));
     held_unit_.insert(held_unit_.end(), unit.begin(), unit.end());
+  }
+  if (plan_.settings.band_images) {
+    const std::span<const Xyz> bands = sums_.band_colors();
+    held_bands_.insert(held_bands_.end(), bands.begin(), bands.end());
   }
   if (film_.bands() == 0) return;
   const std::span<const float> radiance = sums_.radiance();

@@ -81,6 +81,7 @@ private:
   PartLayers part_layers_;
   RadianceParts parts_;          ///< of the splat that `sums_` holds
   std::vector<float> held_unit_; ///< of the splats that are not lost, of a relightable rendering
+  std::vector<Xyz> held_bands_;  ///< the same, of one with band images
 };
 
 } // namespace abbe

@@ -117,8 +117,11 @@ Arrival Path::arrival_here(bool straight) const {
 
 void Path::gather() {
   if (!bundle().hit.met()) {
-    const bool suns = !comes_by_mirrors_and_glass() || !found_otherwise_;
-    sky_.add(bundle(), suns, throughput(), *sums_);
+    const bool by_chance = comes_by_mirrors_and_glass();
+    sky_.add(bundle(),
+             {.suns = by_chance && found_otherwise_,
+              .bright = by_chance && emission_ && emission_->sky_emits()},
+             throughput(), *sums_);
     return;
   }
   const Hit& hit = bundle().hit;

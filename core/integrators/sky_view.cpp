@@ -2,7 +2,7 @@
 
 namespace abbe {
 
-void SkyView::add(const Bundle& bundle, bool suns, BandSpan<float> throughput,
+void SkyView::add(const Bundle& bundle, Lights::LeftOut left_out, BandSpan<float> throughput,
                   RadianceSums& sums) const {
   const dvec3& direction = bundle.state.ray.direction;
   const SkyPlan& sky = plan_.sky;
@@ -12,7 +12,7 @@ void SkyView::add(const Bundle& bundle, bool suns, BandSpan<float> throughput,
     if (sky.transparent) return;
   }
   const dvec3 scattered_at = bundle.state.ray.at(-bundle.unseen_length);
-  lights_.add_sky({scattered_at, direction, bundle.pdf}, suns, throughput, sums);
+  lights_.add_sky({scattered_at, direction, bundle.pdf}, left_out, throughput, sums);
 }
 
 } // namespace abbe

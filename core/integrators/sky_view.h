@@ -24,9 +24,10 @@ public:
   /// Starts a path with its ray from the camera.
   void begin_path(const dvec3& camera_direction) { camera_direction_ = camera_direction; }
 
-  /// Adds what a path sees by a ray that meets nothing. `suns` is that of Lights::add_sky. The path
-  /// ends there: its throughput is changed.
-  void add(const Bundle& bundle, bool suns, BandSpan<float> throughput, RadianceSums& sums) const;
+  /// Adds what a path sees by a ray that meets nothing. `left_out` is that of Lights::add_sky. The
+  /// path ends there: its throughput is changed.
+  void add(const Bundle& bundle, Lights::LeftOut left_out, BandSpan<float> throughput,
+           RadianceSums& sums) const;
 
   /// True for light of the sky that the picture leaves out since its path passes: the light of a
   /// sample, which comes to a path on this route from there.

@@ -86,7 +86,7 @@ void Whitted::shade_ray(RadianceSums& sums, RayCounts& counts) {
   if (!single_scatter_.arrive(bundle(), throughput())) return wait();
   if (sums.divided()) [[unlikely]]
     sums.classify(bundle().view, Arrival::direct);
-  if (!bundle().hit.met()) return sky_.add(bundle(), true, throughput(), sums);
+  if (!bundle().hit.met()) return sky_.add(bundle(), {}, throughput(), sums);
   const MaterialPlan* material = &plan_.materials[bundle().hit.material.index()];
   if (material->mixture) material = &part_of(plan_, *material, decisions_.next());
   shade(bundle(), *material, sums, counts);

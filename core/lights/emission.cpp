@@ -30,6 +30,7 @@ Emission::Emission(const Scene& scene, const Plan& plan)
   goals_.parallel = std::make_shared<const ParallelTargets>(parallel_targets(scene, plan));
   add_lights(scene, plan);
   add_shapes(scene, plan);
+  add_sky(scene, plan);
 }
 
 void Emission::add_lights(const Scene& scene, const Plan& plan) {
@@ -68,6 +69,19 @@ void Emission::add_shapes(const Scene& scene, const Plan& plan) {
     shape_emits_[i] = true;
     lights_.push_back(std::move(emitting));
   }
+}
+
+void Emission::add_sky(const Scene& scene, const Plan& plan) {
+  if (!plan.environment || !plan.environment->has_bright()) return;
+  EmittingLight emitting;
+  emitting.origin_ = EmittingLight::BrightSky{&*plan.environment};
+  emitting.source_ = plan.environment_source;
+  emitting.goals_ = goals_;
+  emitting.flux_ = band_mean(scene.environment->light, plan.grid) *
+                   plan.environment->bright_total() * goals_.parallel->area();
+  if (!(emitting.flux_ > 0.0)) return;
+  sky_emits_ = true;
+  lights_.push_back(std::move(emitting));
 }
 
 void Emission::place(const World& world) {
@@ -124,6 +138,21 @@ std::optional<EmittedRay> EmittingLight::from(const Light* light, const Sampler&
     ray.state.ray = emitted->ray;
   ray.source = source_;
   ray.flux = emitted->flux;
+  return ray;
+}
+
+std::optional<EmittedRay> EmittingLight::from(const BrightSky& sky, const Sampler& sampler) const {
+  const dvec3 direction = sky.map->sample_bright(sampler.pair(kEmissionDirection));
+  const double pdf = sky.map->bright_pdf(direction);
+  const double share = sky.map->bright_share(direction);
+  if (!(pdf > 0.0) || share == 0.0) return std::nullopt;
+  const LightRay parallel = parallel_ray(-direction, *goals_.parallel, sampler);
+  EmittedRay ray;
+  ray.state.ray = parallel.ray;
+  ray.source = source_;
+  // The irradiance is the radiance times the solid angle, where parallel_ray took pi.
+  ray.flux = parallel.flux * share / pdf / pi;
+  ray.environment = true;
   return ray;
 }
 

@@ -15,8 +15,9 @@ namespace abbe {
 /// The beginning of a light path.
 struct EmittedRay {
   RayState state;
-  int source = 0;    ///< index into Plan::sources
-  double flux = 0.0; ///< per unit of the source's spectrum, over the pdf of the ray
+  int source = 0;           ///< index into Plan::sources
+  double flux = 0.0;        ///< per unit of the source's spectrum, over the pdf of the ray
+  bool environment = false; ///< the image's colour of the ray's direction counts too
 };
 
 /// A light that light paths begin at, and where it sends them: only into directions that hold
@@ -34,13 +35,19 @@ private:
     SampledSurface surface;
     bool one_sided = true;
   };
-  using Origin = std::variant<const Light*, EmittingShape>;
+  /// The bright light of an environment, which comes as that of many suns.
+  struct BrightSky {
+    const EnvironmentMap* map;
+  };
+  using Origin = std::variant<const Light*, EmittingShape, BrightSky>;
 
   [[nodiscard]] std::optional<EmittedRay> from(const Light* light, const Sampler& sampler) const;
   [[nodiscard]] std::optional<EmittedRay> from(const EmittingShape& emitting,
                                                const Sampler& sampler) const;
+  [[nodiscard]] std::optional<EmittedRay> from(const BrightSky& sky, const Sampler& sampler) const;
   [[nodiscard]] bool stands_alone(const Light* light) const;
   [[nodiscard]] bool stands_alone(const EmittingShape& emitting) const;
+  [[nodiscard]] bool stands_alone(const BrightSky&) const { return true; }
 
   Origin origin_;
   int source_ = 0;
@@ -64,6 +71,8 @@ public:
   [[nodiscard]] const std::vector<EmittingLight>& lights() const { return lights_; }
   /// True when light paths begin at this shape.
   [[nodiscard]] bool emits(ShapeId shape) const;
+  /// True when light paths begin in the bright part of the environment.
+  [[nodiscard]] bool sky_emits() const { return sky_emits_; }
 
   /// Everything that mirrors or refracts.
   [[nodiscard]] const std::vector<EmissionTarget>& targets() const { return goals_.targets; }
@@ -74,10 +83,12 @@ public:
 private:
   void add_lights(const Scene& scene, const Plan& plan);
   void add_shapes(const Scene& scene, const Plan& plan);
+  void add_sky(const Scene& scene, const Plan& plan);
 
   EmissionGoals goals_;
   std::vector<EmittingLight> lights_;
   std::vector<bool> shape_emits_; ///< by ShapeId
+  bool sky_emits_ = false;
 };
 
 } // namespace abbe

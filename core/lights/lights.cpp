@@ -161,7 +161,7 @@ bool Lights::sun_shows(const dvec3& direction) const {
   });
 }
 
-void Lights::add_sky(const LeavingRay& ray, bool suns, BandSpan<float> throughput,
+void Lights::add_sky(const LeavingRay& ray, LeftOut left_out, BandSpan<float> throughput,
                      RadianceSums& sums) const {
   sums.add(Plan::kBackground, throughput, ones_, 1.0f);
   const auto weight = [&](int choice, double light_pdf) {
@@ -171,13 +171,14 @@ void Lights::add_sky(const LeavingRay& ray, bool suns, BandSpan<float> throughpu
   for (const int i : discs_) {
     const Choice& choice = choices_[static_cast<std::size_t>(i)];
     const auto& disc = std::get<LightDisc>(choice.extent);
-    if (!suns || !disc.directions.holds(ray.direction)) continue;
+    if (left_out.suns || !disc.directions.holds(ray.direction)) continue;
     const double part = disc.radiance * weight(i, disc.directions.pdf());
     sums.add(choice.source, throughput, ones_, static_cast<float>(part));
   }
   if (environment_ < 0) return;
   const Choice& environment = choices_[static_cast<std::size_t>(environment_)];
-  const double part = weight(environment_, plan_.environment->pdf(ray.direction));
+  double part = weight(environment_, plan_.environment->pdf(ray.direction));
+  if (left_out.bright) part *= 1.0 - plan_.environment->bright_share(ray.direction);
   plan_.environment->scale(ray.direction, throughput);
   sums.add(environment.source, throughput, ones_, static_cast<float>(part));
 }

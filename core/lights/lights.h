@@ -67,10 +67,14 @@ public:
     dvec3 direction;  ///< unit
     double pdf = 0.0; ///< per steradian, with which it was drawn; 0: it was not
   };
-  /// Adds what such a ray sees: the background, the discs of suns (unless they are found
-  /// otherwise), and the environment, each weighed against `sample`. The ray ends there: its
-  /// throughput is changed.
-  void add_sky(const LeavingRay& ray, bool suns, BandSpan<float> throughput,
+  /// What of the sky a ray does not see, since its light is found otherwise.
+  struct LeftOut {
+    bool suns = false;
+    bool bright = false; ///< the bright part of the environment
+  };
+  /// Adds what such a ray sees: the background, the discs of suns, and the environment, each
+  /// weighed against `sample`. The ray ends there: its throughput is changed.
+  void add_sky(const LeavingRay& ray, LeftOut left_out, BandSpan<float> throughput,
                RadianceSums& sums) const;
 
 private:

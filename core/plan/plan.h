@@ -5,6 +5,7 @@
 #include "core/bands/index_table.h"
 #include "core/drops/drop_phase_function.h"
 #include "core/emitters/environment_map.h"
+#include "core/plan/camera_matrices.h"
 #include "core/plan/material_plan.h"
 #include "core/plan/texture_plan.h"
 #include "core/scene/scene.h"
@@ -93,6 +94,7 @@ struct Plan {
   SkyPlan sky;
 
   PixelWindow window; ///< what is rendered
+  CameraMatrices camera;
   std::vector<Tile> tiles;
   double quantum = 1.0; ///< of the film's sums
 

@@ -4,6 +4,7 @@
 #include "core/lights/light_kinds.h"
 #include "core/lights/specular_targets.h"
 #include "core/planning/plan_bands.h"
+#include "core/planning/plan_camera.h"
 #include "core/planning/plan_extent.h"
 #include "core/planning/plan_groups.h"
 #include "core/planning/plan_lines.h"
@@ -77,7 +78,8 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
     sources.add(light.spectrum);
   plan_materials(scene, plan, sources);
   if (scene.environment) {
-    plan.environment = EnvironmentMap::make(*scene.environment, table_wavelengths(plan));
+    plan.environment =
+        EnvironmentMap::make(*scene.environment, table_wavelengths(plan), settings.bright_sky);
     if (plan.environment) plan.environment_source = sources.add(scene.environment->light);
   }
   plan_groups(scene, plan);
@@ -92,6 +94,7 @@ Plan make_plan(const Scene& scene, const RenderSettings& settings) {
     throw UserError(fmt::format("the crop {},{},{},{} is not a part of the {} x {} image",
                                 plan.window.x0, plan.window.y0, plan.window.x1, plan.window.y1,
                                 full.x1, full.y1));
+  plan.camera = camera_matrices(scene.camera, settings.width, settings.height);
   plan.tiles = make_tiles(scene, plan.window, settings);
   plan_albedos(plan);
   plan_caustics(scene, plan);

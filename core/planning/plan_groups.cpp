@@ -81,7 +81,7 @@ void plan_groups(const Scene& scene, Plan& plan) {
   if (plan.environment_source >= 0)
     set_group(plan, plan.environment_source, scene.environment->light, "environment");
   check_asked(plan);
-  constexpr std::size_t kMostGroups = 48; // at most four layers each, of the 254 of a film
+  constexpr std::size_t kMostGroups = 4096; // at most four layers each, of those of a film
   if (plan.light_groups.size() > kMostGroups &&
       (!plan.settings.layers.lights.empty() || plan.settings.relightable))
     throw UserError(fmt::format("{} lights and groups are more than the {} that there can be "

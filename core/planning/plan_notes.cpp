@@ -1,6 +1,7 @@
 #include "core/planning/plan_notes.h"
 
 #include "core/emitters/sampled_surface.h"
+#include "core/lights/scene_extent.h"
 #include "core/planning/plan_drops.h"
 #include "core/planning/plan_extent.h"
 #include "spectral/fraunhofer.h"
@@ -32,6 +33,18 @@ void note_faint_lights(const Scene& scene, Plan& plan) {
     plan.notes.push_back(fmt::format(
         "light number {} is fainter than 2^-37 of the brightest: the picture does not show it",
         number));
+}
+
+/// Coordinates are doubles. Where a scene stands far from the origin they are coarse beside it.
+void note_coarse_places(const Scene& scene, Plan& plan) {
+  constexpr double kCoarse = 1e-7; // of the scene's size; a pixel of a large picture is 1e-4 of it
+  const double size = scene_size(scene), farthest = farthest_coordinate(scene);
+  const double rounding = farthest * kRoundoff;
+  if (!(size > 0.0 && rounding > kCoarse * size)) return;
+  plan.notes.push_back(fmt::format(
+      "the scene is {:.0e} times its size away from the origin, where places are told apart by "
+      "{:.0e} of it: move it nearer",
+      farthest / size, rounding / size));
 }
 
 } // namespace
@@ -68,6 +81,7 @@ void note_content(const Scene& scene, Plan& plan) {
                                      plan.environment ? "" : ", all black"));
   note_lamps_met_by_chance(scene, plan);
   note_faint_lights(scene, plan);
+  note_coarse_places(scene, plan);
   for (const Medium& medium : scene.media)
     if (!is_achromatic(medium.index))
       plan.notes.push_back(

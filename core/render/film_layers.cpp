@@ -14,7 +14,7 @@ std::vector<LayerForm> film_layers(const Scene& scene, const Plan& plan,
   const bool splats = plan.caustics && connects(scene.camera.kind);
   std::vector<LayerForm> layers =
       beauty_layers({.quantum = plan.quantum,
-                     .bands = bands ? plan.grid.count() : 0,
+                     .bands = bands && bands->spectra ? plan.grid.count() : 0,
                      .errors = plan.settings.needs_errors(),
                      .splats = splats,
                      .evidence = plan.caustics && plan.settings.adaptive == AdaptiveSampling::on});

@@ -8,8 +8,8 @@
 
 namespace abbe {
 
-/// The layers of the film of a rendering, which keeps the sums of all bands where `bands` says
-/// where to.
+/// The layers of the film of a rendering, which keeps the bands of each pixel where `bands` says
+/// so.
 [[nodiscard]] std::vector<LayerForm> film_layers(const Scene& scene, const Plan& plan,
                                                  const std::optional<BandPlace>& bands);
 

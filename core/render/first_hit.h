@@ -29,18 +29,19 @@ private:
   using Values = std::array<std::optional<LayerId>, 3>;
   [[nodiscard]] Values find(ExtraLayer layer) const;
   void put(const Film::Place& place, const Values& layers, const dvec3& values);
-  [[nodiscard]] Xyz albedo(const Hit& hit, const MaterialPlan& material);
+  [[nodiscard]] Xyz albedo(const Hit& hit, std::size_t material);
 
   const Plan& plan_;
   const World& world_;
   Film& film_;
   dvec3 eye_, forward_;
   Values depth_, depth_nearest_, distance_, position_, normal_, geometric_, through_, uv_;
-  Values deviation_, surfaces_, glass_path_;
+  Values deviation_, surfaces_, glass_path_, total_, least_;
   std::optional<LayerId> albedo_, object_, material_;
   bool looks_through_ = false;
   bool empty_ = true;
-  BandTable textured_; ///< scratch
+  std::vector<std::optional<Xyz>> albedos_; ///< by material, those of one colour that were met
+  BandTable textured_;                      ///< scratch
 };
 
 } // namespace abbe

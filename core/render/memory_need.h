@@ -14,6 +14,9 @@ namespace abbe {
 
 [[nodiscard]] std::uint64_t memory_need(const Scene& scene, const Plan& plan,
                                         const std::optional<BandPlace>& bands);
+/// How many bytes of its sums lie in files.
+[[nodiscard]] std::uint64_t disk_need(const Scene& scene, const Plan& plan,
+                                      const std::optional<BandPlace>& bands);
 /// The least that it can be, as far as settings alone tell, which have no plan yet.
 [[nodiscard]] std::uint64_t least_memory_need(const RenderSettings& settings);
 

@@ -22,25 +22,29 @@ const MaterialPlan& larger_part(const Plan& plan, const Hit& hit) {
   return *part;
 }
 
-/// The direction in which the ray goes on, and whether to the other side of the surface.
+/// The direction in which the ray goes on, whether to the other side of the surface, and whether
+/// the surface would let light through to it at another angle.
 struct Turn {
   dvec3 direction;
   bool through;
+  bool total = false;
 };
 
-Turn turn_at(const Plan& plan, const Hit& hit, const dvec3& direction, bool transmits) {
+/// `through_nm` is the wavelength at a surface that lets light through.
+Turn turn_at(const Plan& plan, const Hit& hit, const dvec3& direction,
+             std::optional<double> through_nm) {
   const dvec3 normal = hit.facing_shading_normal();
   const auto on_side = [&](const dvec3& turned, bool above) {
     return hit.bent ? kept_on_side(turned, hit.facing_normal(), above) : turned;
   };
   const double cos_i = std::clamp(-glm::dot(direction, normal), 0.0, 1.0);
-  if (transmits) {
-    const double eta = plan.medium(hit.medium_after).index.at(kSeenThroughNm) /
-                       plan.medium(hit.medium_before).index.at(kSeenThroughNm);
+  if (through_nm) {
+    const double eta = plan.medium(hit.medium_after).index.at(*through_nm) /
+                       plan.medium(hit.medium_before).index.at(*through_nm);
     if (const auto cos_t = refracted_cosine(cos_i, eta))
       return {on_side(refracted(direction, normal, cos_i, *cos_t, eta), false), true};
   }
-  return {on_side(reflected(direction, normal), true), false};
+  return {on_side(reflected(direction, normal), true), false, through_nm.has_value()};
 }
 
 /// The angle between two directions of unit length; right for small angles too.
@@ -50,8 +54,10 @@ double angle_between(const dvec3& a, const dvec3& b) {
 
 } // namespace
 
-SeenThrough see_through(const Plan& plan, const World& world, RayState state, const Hit& first) {
+SeenThrough see_through(const Plan& plan, const World& world, RayState state, const Hit& first,
+                        double nm) {
   SeenThrough seen;
+  seen.direction = state.ray.direction;
   const dvec3 begin = state.ray.direction;
   Hit hit = first;
   Passage passage;
@@ -72,10 +78,13 @@ SeenThrough see_through(const Plan& plan, const World& world, RayState state, co
       seen.normal = hit.facing_shading_normal();
       return seen;
     }
-    const Turn turn = turn_at(plan, hit, state.ray.direction, facts.transmits);
+    const Turn turn =
+        turn_at(plan, hit, state.ray.direction, facts.transmits ? std::optional(nm) : std::nullopt);
     state = hit.going_on(turn.direction, turn.through);
     straight_on = false;
     ++seen.surfaces;
+    seen.total_reflections += turn.total ? 1 : 0;
+    seen.direction = turn.direction;
     seen.deviation = angle_between(begin, turn.direction);
     world.find_closest(state, hit);
   }

@@ -19,12 +19,14 @@ struct SeenThrough {
   double deviation = 0.0;      ///< the angle between its first and its last direction, in radians
   int surfaces = 0;            ///< how many have turned it; panes have not
   double glass_length = 0.0;   ///< how far it went through media other than air, in scene units
+  int total_reflections = 0;   ///< how many surfaces of glass have let nothing through
+  dvec3 direction{0.0};        ///< the last one
 };
 
 /// Follows a camera ray from what it meets. At a surface that lets light through the ray is
 /// refracted, or reflected under total reflection; at one that only mirrors it is reflected; at all
 /// others, and behind many surfaces, it ends. Of a mixture the larger part counts.
 [[nodiscard]] SeenThrough see_through(const Plan& plan, const World& world, RayState state,
-                                      const Hit& first);
+                                      const Hit& first, double nm = kSeenThroughNm);
 
 } // namespace abbe

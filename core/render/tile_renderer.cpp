@@ -39,7 +39,9 @@ TileRenderer::TileRenderer(const RenderContext& context, Film& film,
   if (!first_hit.empty()) first_hit_.emplace(std::move(first_hit));
   PartLayers part_layers(plan_, film);
   if (part_layers.empty()) return;
+  const bool divides = part_layers.divides();
   part_layers_.emplace(std::move(part_layers));
+  if (!divides) return;
   parts_.emplace(plan_);
   sums_.divide(&*parts_);
 }
@@ -129,8 +131,9 @@ bool TileRenderer::trace_sample(const CameraSample& sample, const CameraPaths& s
   bool covered = false;
   for (std::size_t i = 0; i < start.count; ++i)
     covered |= start.hits[i].met();
+  const Xyz color = sums_.color();
   const Film::Place place =
-      film_.add({sample.x, sample.y, sample.index, covered}, sums_.color(),
+      film_.add({sample.x, sample.y, sample.index, covered}, color,
                 film_.bands() > 0 ? sums_.radiance() : std::span<const float>());
   if (evidence_) film_.add(*evidence_, place, sums_.own_color());
   if (transparency_ && sums_.transparency() != 0.0)
@@ -138,7 +141,8 @@ bool TileRenderer::trace_sample(const CameraSample& sample, const CameraPaths& s
   if (transmittance_) film_.add(*transmittance_, place, sums_.transmittance());
   if (const double lost = lost_ ? integrator_->beyond().luminance() : 0.0; lost != 0.0)
     film_.add(*lost_, place, lost_light(lost, plan_.quantum));
-  if (part_layers_) part_layers_->add(place, sums_.color(), *parts_);
+  if (parts_) part_layers_->add(place, color, *parts_);
+  if (plan_.settings.band_images) part_layers_->add_bands(place, color, sums_.band_colors());
   if (first_hit_ && covered) first_hit_->add(place, start);
   return true;
 }

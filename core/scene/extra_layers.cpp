@@ -30,6 +30,8 @@ constexpr auto kNames = std::to_array<ExtraLayerName>({
     {"deviation", ExtraLayer::deviation},
     {"surfaces", ExtraLayer::surfaces},
     {"glassPath", ExtraLayer::glass_path},
+    {"totalReflections", ExtraLayer::total_reflections},
+    {"leastDeviation", ExtraLayer::least_deviation},
 });
 static_assert(kNames.size() == kExtraLayerCount);
 

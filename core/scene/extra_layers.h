@@ -33,8 +33,10 @@ enum class ExtraLayer : std::uint8_t {
   deviation,
   surfaces,
   glass_path,
+  total_reflections,
+  least_deviation,
 };
-inline constexpr int kExtraLayerCount = static_cast<int>(ExtraLayer::glass_path) + 1;
+inline constexpr int kExtraLayerCount = static_cast<int>(ExtraLayer::least_deviation) + 1;
 
 /// The name by which a layer is asked for.
 struct ExtraLayerName {

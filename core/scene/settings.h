@@ -84,6 +84,8 @@ struct RenderSettings {
   /// The bands of each group of lights are kept under light of equal energy, and all decisions are
   /// those under such light, so that lamps can be changed without tracing a ray.
   bool relightable = false;
+  /// Each band's part of the picture is kept as a colour.
+  bool band_images = false;
 
   int max_depth = kNoDepthLimit; ///< how often a path may be reflected or refracted
   /// A branch whose every band carries less is followed at random, and then carries this.
@@ -93,7 +95,9 @@ struct RenderSettings {
   ShadowRule shadows = ShadowRule::automatic;
 
   Caustics caustics = Caustics::automatic;
-  double light_paths = 1.0;   ///< light paths per camera sample
+  double light_paths = 1.0; ///< light paths per camera sample
+  /// Light of the environment above this many times its mean luminance goes by light paths, too.
+  double bright_sky = 8.0;
   double photon_radius = 0.0; ///< of the first pass, in scene units; 0: by the scene's size
 
   bool exact = false;             ///< each band has its own ray: no tolerance, no roulette

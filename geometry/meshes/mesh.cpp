@@ -97,11 +97,12 @@ double squared_distance(const Bounds& box, const dvec3& point) {
   return squared(glm::max(glm::max(box.lower - point, point - box.upper), dvec3(0.0)));
 }
 
-/// Searches the hierarchy for the triangle nearest to a point, of those that face a direction.
+/// Searches the hierarchy for the triangle by which a ray from a point leaves where it is moved
+/// least: to the triangle, and where the ray runs in from it, by as much as it comes below it.
 class NearestFace {
 public:
   NearestFace(const Mesh& mesh, const dvec3& point, const dvec3& direction)
-      : mesh_(mesh), point_(point), direction_(direction) {
+      : mesh_(mesh), ray_{point, direction} {
     visit(0);
   }
   [[nodiscard]] NearFace found() const { return {face_, std::sqrt(smallest_)}; }
@@ -113,7 +114,7 @@ private:
     std::vector<std::pair<double, std::int32_t>> boxes;
     for (std::size_t i = 0; i < 8; ++i)
       if (node.holds(i))
-        boxes.emplace_back(squared_distance(mesh_.hierarchy().bounds(node, i), point_),
+        boxes.emplace_back(squared_distance(mesh_.hierarchy().bounds(node, i), ray_.origin),
                            node.child[i]);
     std::sort(boxes.begin(), boxes.end());
     for (const auto& [distance, box] : boxes)
@@ -122,16 +123,19 @@ private:
   void ask(const MeshLeaf& leaf) {
     for (int i = leaf.first; i < leaf.first + leaf.count; ++i) {
       const auto [a, b, c] = mesh_.corners(i);
-      const double distance = squared_distance(a - point_, b - point_, c - point_);
-      if (distance >= smallest_ || runs_in(glm::normalize(glm::cross(b - a, c - a)), direction_))
-        continue;
-      smallest_ = distance;
+      const dvec3& o = ray_.origin;
+      double move = squared_distance(a - o, b - o, c - o);
+      if (move >= smallest_) continue;
+      if (runs_in(outward_normal(mesh_, o, i), ray_.direction))
+        move = std::pow(std::sqrt(move) + depth_below(mesh_, ray_, i), 2);
+      if (move >= smallest_) continue;
+      smallest_ = move;
       face_ = i;
     }
   }
 
   const Mesh& mesh_;
-  dvec3 point_, direction_;
+  LocalRay ray_;
   double smallest_ = kInfinity;
   int face_ = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <immintrin.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -10,7 +11,7 @@
 namespace abbe {
 namespace {
 
-constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNoReach = std::numeric_limits<float>::infinity();
 
 /// A float not less than `value`.
 float rounded_up(double value) {
@@ -132,6 +133,9 @@ public:
     reversed_ = shear.z < 0.0;
   }
 
+  /// Along which the line runs fastest.
+  [[nodiscard]] int axis() const { return static_cast<int>(axes_[2]); }
+
   /// Where it crosses the triangles of a leaf. Whether it does, and in which sense, follows from
   /// the same signs, so that a line enters and leaves a closed mesh in turn.
   [[nodiscard]] Lanes crossed(const Mesh& mesh, const MeshLeaf& leaf) const {
@@ -184,8 +188,13 @@ private:
     return {_mm256_sub_pd(p[axes_[0]], _mm256_mul_pd(shear_[0], z)),
             _mm256_sub_pd(p[axes_[1]], _mm256_mul_pd(shear_[1], z)), _mm256_mul_pd(shear_[2], z)};
   }
+  /// p.x q.y - p.y q.x with the right sign, and 0 only where it is 0: what the second product loses
+  /// by rounding is added again [JLM13]. Rounded signs say nothing of a triangle that is seen from
+  /// its edge: it would be met far beside it in its plane.
   static __m256d edge(const Corner& p, const Corner& q) {
-    return _mm256_sub_pd(_mm256_mul_pd(p.x, q.y), _mm256_mul_pd(p.y, q.x));
+    const __m256d product = _mm256_mul_pd(p.y, q.x);
+    const __m256d lost = _mm256_fnmadd_pd(p.y, q.x, product);
+    return _mm256_add_pd(_mm256_fmsub_pd(p.x, q.y, product), lost);
   }
   static unsigned bits(const __m256d& mask) {
     return static_cast<unsigned>(_mm256_movemask_pd(mask));
@@ -255,7 +264,8 @@ private:
       if (t > first.t || touches(face)) continue;
       const double cosine = std::abs(glm::dot(outward_normal(mesh_, {}, face), ray_.direction));
       if (cosine == 0.0) continue;
-      Root root{t, plane_root_error(ray_, cosine, t, mesh_.size()), {0, face}};
+      const double error = plane_root_error(ray_, cosine, t, mesh_.size());
+      Root root{t, std::min(error, reach_of(face, t)), {0, face}};
       const bool ahead = root.t > root.t_error;
       if (search_ == MeshSearch::sum) {
         found_.exits_less_entries += !ahead ? 0 : outwards ? 1 : -1;
@@ -268,6 +278,20 @@ private:
       first = root;
       reach_ = boxes_.entered_before(last());
     }
+  }
+
+  /// How far from `t` the triangle may be crossed: between its corners, whose places rounding
+  /// moves. A ray that runs along the triangle's plane may cross that much farther away. Behind the
+  /// origin only what is ahead of `t` counts.
+  [[nodiscard]] double reach_of(int face, double t) const {
+    const int axis = line_.axis();
+    const double speed = ray_.direction[axis];
+    double reach = 0.0;
+    for (const dvec3& corner : mesh_.corners(face)) {
+      const double ahead = (corner[axis] - ray_.origin[axis]) / speed - t;
+      reach = std::max(reach, t < 0.0 ? ahead : std::abs(ahead));
+    }
+    return reach + plane_root_error(ray_, std::abs(speed), t, mesh_.size());
   }
 
   /// What lies beyond makes no difference any more.
@@ -285,7 +309,7 @@ private:
   MeshSearch search_;
   BoxRay boxes_;
   ShearedLine line_;
-  float reach_ = kFloatInfinity;
+  float reach_ = kNoReach;
   MeshCrossings found_;
 };
 

@@ -3,6 +3,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +18,8 @@ namespace {
 
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 constexpr int kBins = 16;
+/// Fewer items than this are not worth a task of their own.
+constexpr std::size_t kGrain = 8192;
 
 struct FloatBox {
   glm::vec3 lower{kFloatInfinity}, upper{-kFloatInfinity};
@@ -42,14 +47,53 @@ struct Item {
   [[nodiscard]] glm::vec3 centre() const { return 0.5f * (box.lower + box.upper); }
 };
 
-/// Triangles that stand together, with the box around them.
+/// What `add` finds in the items, in parallel where they are many. The result must not depend on
+/// the order in which pieces are added up by `join`.
+template <class Found, class Add, class Join>
+Found found_in(std::span<const Item> items, const Add& add, const Join& join) {
+  if (items.size() <= kGrain) {
+    Found found;
+    for (const Item& item : items)
+      add(found, item);
+    return found;
+  }
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, items.size(), kGrain), Found{},
+      [&](const tbb::blocked_range<std::size_t>& range, Found found) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+          add(found, items[i]);
+        return found;
+      },
+      join);
+}
+
+/// The boxes around the items, and around their centres.
+struct Extents {
+  FloatBox box, centres;
+};
+Extents extents_of(std::span<const Item> items) {
+  return found_in<Extents>(
+      items,
+      [](Extents& found, const Item& item) {
+        found.box.join(item.box);
+        found.centres.join(item.centre());
+      },
+      [](Extents a, const Extents& b) {
+        a.box.join(b.box);
+        a.centres.join(b.centres);
+        return a;
+      });
+}
+
+/// Triangles that stand together, with the boxes around them and around their centres.
 struct Part {
   std::span<Item> items;
-  FloatBox box;
+  FloatBox box, centres;
 
   explicit Part(std::span<Item> parts) : items(parts) {
-    for (const Item& item : items)
-      box.join(item.box);
+    const Extents extents = extents_of(items);
+    box = extents.box;
+    centres = extents.centres;
   }
   [[nodiscard]] bool is_leaf() const { return items.size() <= MeshLeaf::kMost; }
 };
@@ -92,18 +136,43 @@ struct Split {
   int axis = 0, last_bin = 0; ///< the first half ends with this bin
 };
 
-Split best_split(const Part& part, const FloatBox& centres) {
+/// What the bins of each axis hold.
+struct BinContents {
+  std::array<std::array<FloatBox, kBins>, 3> boxes;
+  std::array<std::array<int, kBins>, 3> counts{};
+};
+
+BinContents contents_of(std::span<const Item> items, const std::array<Bins, 3>& bins) {
+  return found_in<BinContents>(
+      items,
+      [&](BinContents& found, const Item& item) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          if (!bins[axis].part()) continue;
+          const auto bin = static_cast<std::size_t>(bins[axis].of(item));
+          found.boxes[axis][bin].join(item.box);
+          ++found.counts[axis][bin];
+        }
+      },
+      [](BinContents a, const BinContents& b) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          for (std::size_t bin = 0; bin < kBins; ++bin) {
+            a.boxes[axis][bin].join(b.boxes[axis][bin]);
+            a.counts[axis][bin] += b.counts[axis][bin];
+          }
+        return a;
+      });
+}
+
+Split best_split(const Part& part) {
+  const std::array<Bins, 3> bins{Bins(part.centres, 0), Bins(part.centres, 1),
+                                 Bins(part.centres, 2)};
+  const BinContents contents = contents_of(part.items, bins);
   Split best;
   for (int axis = 0; axis < 3; ++axis) {
-    const Bins bins(centres, axis);
-    if (!bins.part()) continue;
-    std::array<FloatBox, kBins> boxes;
-    std::array<int, kBins> counts{};
-    for (const Item& item : part.items) {
-      const auto bin = static_cast<std::size_t>(bins.of(item));
-      boxes[bin].join(item.box);
-      ++counts[bin];
-    }
+    const auto a = static_cast<std::size_t>(axis);
+    if (!bins[a].part()) continue;
+    const auto& boxes = contents.boxes[a];
+    const auto& counts = contents.counts[a];
     std::array<float, kBins> behind{}; // the cost of all bins behind this one
     FloatBox box;
     int count = 0;
@@ -127,13 +196,10 @@ Split best_split(const Part& part, const FloatBox& centres) {
 
 /// How many items the first of two halves gets, which are brought to the front.
 std::size_t divide(const Part& part, bool halve) {
-  FloatBox centres;
-  for (const Item& item : part.items)
-    centres.join(item.centre());
-  const Split split = best_split(part, centres);
+  const Split split = best_split(part);
   const auto begin = part.items.begin();
   if (!halve && split.cost < kFloatInfinity) {
-    const Bins bins(centres, split.axis);
+    const Bins bins(part.centres, split.axis);
     return static_cast<std::size_t>(
         std::partition(begin, part.items.end(),
                        [&](const Item& item) { return bins.of(item) <= split.last_bin; }) -
@@ -146,11 +212,56 @@ std::size_t divide(const Part& part, bool halve) {
   return static_cast<std::size_t>(half);
 }
 
+/// Builds the nodes of a part of the items. Nodes come before their content, which comes in the
+/// order of the boxes, so that the result does not depend on what is built at the same time.
 class Builder {
 public:
-  Builder(MeshHierarchy& hierarchy, std::span<Item> items) : hierarchy_(hierarchy), items_(items) {}
+  explicit Builder(std::span<Item> items) : items_(items) {}
 
-  std::int32_t build(const Part& whole, int depth) {
+  /// The nodes of `whole`, whose numbers count from 0.
+  [[nodiscard]] std::vector<MeshNode> build(const Part& whole, int depth) const {
+    std::vector<MeshNode> nodes;
+    add(nodes, whole, depth);
+    return nodes;
+  }
+
+private:
+  /// Adds the nodes of a part, and returns the number of the first.
+  std::int32_t add(std::vector<MeshNode>& nodes, const Part& whole, int depth) const {
+    const std::vector<Part> parts = divided(whole, depth);
+    const std::size_t place = nodes.size();
+    nodes.push_back(boxes(parts));
+    if (whole.items.size() > kGrain) return add_apart(nodes, place, parts, depth);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const std::int32_t child =
+          parts[i].is_leaf() ? leaf(parts[i]) : add(nodes, parts[i], depth + 1);
+      nodes[place].child[i] = child;
+    }
+    return static_cast<std::int32_t>(place);
+  }
+
+  /// Builds the content of a node in tasks, and puts it behind the node.
+  std::int32_t add_apart(std::vector<MeshNode>& nodes, std::size_t place,
+                         const std::vector<Part>& parts, int depth) const {
+    std::array<std::vector<MeshNode>, 8> contents;
+    tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+      if (!parts[i].is_leaf()) contents[i] = build(parts[i], depth + 1);
+    });
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const auto first = static_cast<std::int32_t>(nodes.size());
+      nodes[place].child[i] = parts[i].is_leaf() ? leaf(parts[i]) : first;
+      for (MeshNode& node : contents[i]) {
+        for (std::int32_t& child : node.child) // empty boxes have the number 0 and no content
+          if (!MeshLeaf::is(child) && child > 0) child += first;
+        nodes.push_back(node);
+      }
+      contents[i] = {};
+    }
+    return static_cast<std::int32_t>(place);
+  }
+
+  /// Up to eight parts, of which the one with the largest surface is divided next.
+  static std::vector<Part> divided(const Part& whole, int depth) {
     std::vector<Part> parts{whole};
     while (parts.size() < 8) {
       Part* largest = nullptr;
@@ -162,18 +273,14 @@ public:
       *largest = Part(items.first(first));
       parts.emplace_back(items.subspan(first));
     }
-    const std::size_t place = hierarchy_.nodes.size();
-    hierarchy_.nodes.push_back(boxes(parts));
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      const auto count = static_cast<std::int32_t>(parts[i].items.size());
-      const auto first = static_cast<std::int32_t>(parts[i].items.data() - items_.data());
-      hierarchy_.nodes[place].child[i] =
-          parts[i].is_leaf() ? MeshLeaf{first, count}.child() : build(parts[i], depth + 1);
-    }
-    return static_cast<std::int32_t>(place);
+    return parts;
   }
 
-private:
+  [[nodiscard]] std::int32_t leaf(const Part& part) const {
+    const auto count = static_cast<std::int32_t>(part.items.size());
+    return MeshLeaf{static_cast<std::int32_t>(part.items.data() - items_.data()), count}.child();
+  }
+
   static MeshNode boxes(const std::vector<Part>& parts) {
     MeshNode node{};
     for (int axis = 0; axis < 3; ++axis)
@@ -185,7 +292,6 @@ private:
     return node;
   }
 
-  MeshHierarchy& hierarchy_;
   std::span<Item> items_;
 };
 
@@ -203,30 +309,39 @@ Bounds MeshHierarchy::bounds(const MeshNode& node, std::size_t box) const {
 
 MeshHierarchy make_hierarchy(const std::vector<dvec3>& vertices, std::vector<Triangle>& triangles) {
   const auto at = [&](std::int32_t corner) { return vertices[static_cast<std::size_t>(corner)]; };
-  Bounds all;
-  for (const Triangle& t : triangles)
-    for (const std::int32_t corner : t)
-      all = all.joined({at(corner), at(corner)});
+  using Range = tbb::blocked_range<std::size_t>;
+  const Range all_triangles(0, triangles.size(), kGrain);
+  const Bounds all = tbb::parallel_reduce(
+      all_triangles, Bounds{},
+      [&](const Range& range, Bounds found) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+          for (const std::int32_t corner : triangles[i])
+            found = found.joined({at(corner), at(corner)});
+        return found;
+      },
+      [](const Bounds& a, const Bounds& b) { return a.joined(b); });
   MeshHierarchy hierarchy;
   hierarchy.centre = 0.5 * (all.lower + all.upper);
   std::vector<Item> items(triangles.size());
-  FloatBox whole;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    Bounds box;
-    for (const std::int32_t corner : triangles[i]) {
-      const dvec3 p = at(corner) - hierarchy.centre;
-      box = box.joined({p, p});
+  tbb::parallel_for(all_triangles, [&](const Range& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      Bounds box;
+      for (const std::int32_t corner : triangles[i]) {
+        const dvec3 p = at(corner) - hierarchy.centre;
+        box = box.joined({p, p});
+      }
+      items[i].box = {rounded(box.lower, -kFloatInfinity), rounded(box.upper, kFloatInfinity)};
+      items[i].triangle = static_cast<std::int32_t>(i);
     }
-    items[i].box = {rounded(box.lower, -kFloatInfinity), rounded(box.upper, kFloatInfinity)};
-    items[i].triangle = static_cast<std::int32_t>(i);
-    whole.join(items[i].box);
-  }
-  hierarchy.radius = glm::length(dvec3(glm::max(-whole.lower, whole.upper)));
-  Builder(hierarchy, items).build(Part(items), 0);
-  std::vector<Triangle> sorted;
-  sorted.reserve(triangles.size());
-  for (const Item& item : items)
-    sorted.push_back(triangles[static_cast<std::size_t>(item.triangle)]);
+  });
+  const Part whole(items);
+  hierarchy.radius = glm::length(dvec3(glm::max(-whole.box.lower, whole.box.upper)));
+  hierarchy.nodes = Builder(items).build(whole, 0);
+  std::vector<Triangle> sorted(triangles.size());
+  tbb::parallel_for(all_triangles, [&](const Range& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i)
+      sorted[i] = triangles[static_cast<std::size_t>(items[i].triangle)];
+  });
   triangles = std::move(sorted);
   return hierarchy;
 }

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <optional>
+#include <type_traits>
 #include <variant>
 
 namespace abbe {
@@ -33,6 +34,18 @@ concept FlatShape = requires(const S& shape, const dvec3& point) { covers(shape,
   return true;
 }
 
+/// The root `t` of a plane without end whose bound of error is more than half of it: nothing is
+/// known of the root but that the plane is not met before a distance `nearest` (see
+/// plane_root_error). That is the difference of t and its bound, whose digits cancel where t is
+/// large; so it is computed by itself, and the root is put at twice as much, where its bound has
+/// digits again.
+[[nodiscard]] Root root_without_digits(const RayInFrame auto& ray, double t, double error) {
+  const double height = std::abs(ray.origin.z) - ray.shift_at(0.0, 1.0);
+  const double nearest = height / (std::abs(ray.direction.z) + ray.shift_rate());
+  if (!(2.0 * nearest > 0.0 && 2.0 * nearest < std::abs(t))) return {t, error, {}};
+  return {std::copysign(2.0 * nearest, t), nearest, {}};
+}
+
 /// Where a line meets the shape between `first` and `last`, that one not included. Nothing for a
 /// line in the shape's plane, which sees no area of it.
 template <FlatShape S>
@@ -41,7 +54,11 @@ template <FlatShape S>
   if (ray.direction.z == 0.0) return std::nullopt;
   const double t = -ray.origin.z / ray.direction.z;
   if (t < first || t >= last || !covers(shape, ray.at(t))) return std::nullopt;
-  return Root{t, plane_root_error(ray, std::abs(ray.direction.z), t, 1.0), {}};
+  const double error = plane_root_error(ray, std::abs(ray.direction.z), t, 1.0);
+  if constexpr (std::is_same_v<S, Plane>)
+    if (error > 0.5 * std::abs(t)) [[unlikely]]
+      return root_without_digits(ray, t, error);
+  return Root{t, error, {}};
 }
 
 template <FlatShape S>

@@ -55,7 +55,7 @@ public:
       (radius_rate_ > 0.0 ? found.enter : found.exit) = root(c_ / q, q);
       return found;
     }
-    Root near = root(q / a_, q), far = root(q != 0.0 ? c_ / q : q / a_, q);
+    Root near = root(q / a_, q, true), far = q != 0.0 ? root(c_ / q, q) : near;
     if (near.t > far.t) std::swap(near, far);
     if (a_ < 0.0) { // inside both nappes, outside between them
       (radius_rate_ > 0.0 ? found.enter : found.exit) = radius_rate_ > 0.0 ? far : near;
@@ -87,8 +87,9 @@ private:
 
   /// A surface shifted by e changes the equation by 2 r e / cos(slope) =: delta at the root, and
   /// the root by |sqrt(D) - sqrt(D +- a delta)| / |a| <= delta / max(sqrt(D), sqrt(|a| delta)).
-  /// To this comes the rounding of sqrt(D), by way of q, and that of `a` where it cancels.
-  [[nodiscard]] Root root(double t, double q) const {
+  /// To this comes the rounding of sqrt(D), by way of q, and that of `a` where the root is divided
+  /// by it; D is computed without `a`, so the other root does not depend on it.
+  [[nodiscard]] Root root(double t, double q, bool divided_by_a = false) const {
     const double radius = std::abs(radius_ + t * radius_rate_);
     const double e = ray_.shift_at(std::abs(shift_) + std::abs(t), size_);
     const double delta = 2.0 * e * steepness_ * (radius + e * steepness_);
@@ -97,7 +98,7 @@ private:
     if (q != 0.0 && discriminant_error_ > 0.0)
       error +=
           std::abs(t / q) * discriminant_error_ / std::max(root_d_, std::sqrt(discriminant_error_));
-    if (a_ != 0.0)
+    if (divided_by_a)
       error +=
           std::abs(t) * 4.0 * kRoundoff * (across_ + radius_rate_ * radius_rate_) / std::abs(a_);
     const double place = shift_ + t;

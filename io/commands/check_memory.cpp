@@ -1,6 +1,7 @@
 #include "io/commands/check_memory.h"
 
 #include "core/scene/user_error.h"
+#include "io/console/terminal.h"
 #include "io/files/available_memory.h"
 
 #include <fmt/format.h>
@@ -23,6 +24,12 @@ void check_memory(MemoryNeed need, std::optional<double> limit_gib) {
                   memory_text(need.bytes), memory_text(limit),
                   limit_gib ? "which --limit-memory sets" : "which is what this machine has left",
                   need.cure, limit_gib ? "" : "; --limit-memory sets another limit"));
+}
+
+void tell_disk(std::uint64_t bytes, const BandPlace& place) {
+  if (bytes == 0) return;
+  say(fmt::format("plan: {} of sums lie in files without a name in {} while it is rendered",
+                  memory_text(bytes), place.folder.string()));
 }
 
 } // namespace abbe

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/film/layer.h"
+
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -24,5 +26,8 @@ struct MemoryNeed {
 /// where the user gives none. It tells both. A limit that the user gives is one on all that the
 /// process takes: what it holds already, the scene above all, counts too.
 void check_memory(MemoryNeed need, std::optional<double> limit_gib);
+
+/// Tells on standard output how much of a disk the rendering takes meanwhile, if it takes any.
+void tell_disk(std::uint64_t bytes, const BandPlace& place);
 
 } // namespace abbe

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <stdexcept>
 #include <thread>
 
@@ -78,13 +79,21 @@ public:
 
 private:
   static std::optional<BandPlace> bands_of(const RenderState& state, const BandPlace& place) {
-    return state.film.bands() > 0 ? std::optional(place) : std::nullopt;
+    BandPlace as_it_is = place;
+    as_it_is.spectra = state.film.bands() > 0;
+    return as_it_is;
   }
   const std::filesystem::path& file_;
   const RenderJob& job_;
   std::atomic<bool> busy_ = false;
   std::jthread thread_;
 };
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point then) {
+  return std::chrono::duration<double>(Clock::now() - then).count();
+}
 
 /// How far a rendering has come in all that came this far before it was taken up again.
 RenderProgress in_all(RenderProgress now, const RenderProgress& before) {
@@ -106,18 +115,36 @@ CheckpointedRender render_with_checkpoints(const RenderJob& job, SampleRange ran
                               .rays = state.rays};
   const auto tell = [&](const RenderProgress& now) { progress.tell(in_all(now, before)); };
   RenderControl control{.progress = tell, .stop = &stop, .peers = &job.peers};
-  CheckpointedRender result;
-  if (!checkpoints.file) {
-    result.complete = render(job.scene, job.plan, job.world, range, state, control);
-    progress.finish();
-    return result;
+  std::optional<WriterBehind> writer;
+  if (checkpoints.file) writer.emplace(*checkpoints.file, job);
+  double watch_every = 0.5;
+  Clock::time_point kept = Clock::now(), watched = kept;
+  const auto set_next_pause = [&] {
+    const double next_watch = job.watch ? watch_every : kInfinity;
+    control.pause_after = writer ? std::min(checkpoints.every_seconds, next_watch) : next_watch;
+  };
+  const auto pause = [&] {
+    if (job.watch && seconds_since(watched) >= watch_every) {
+      const Clock::time_point begun = Clock::now();
+      job.watch(state);
+      watched = Clock::now();
+      watch_every = std::max(watch_every, 50.0 * seconds_since(begun));
+    }
+    if (writer && seconds_since(kept) >= checkpoints.every_seconds) {
+      writer->keep_soon(state, checkpoints.place);
+      kept = Clock::now();
+    }
+    set_next_pause();
+  };
+  if (writer || job.watch) {
+    control.pause = pause;
+    set_next_pause();
   }
-  WriterBehind writer(*checkpoints.file, job);
-  control.pause_after = checkpoints.every_seconds;
-  control.pause = [&] { writer.keep_soon(state, checkpoints.place); };
+  CheckpointedRender result;
   result.complete = render(job.scene, job.plan, job.world, range, state, control);
   progress.finish();
-  writer.wait();
+  if (!writer) return result;
+  writer->wait();
   result.kept = keep_of_all(*checkpoints.file, job, state);
   return result;
 }

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 namespace abbe {
@@ -24,6 +25,9 @@ struct RenderJob {
   const World& world;
   const StateInfo& info;
   const Peers& peers;
+  /// Where there is one it is called with the state now and then, and takes a fiftieth of the time
+  /// at most.
+  std::function<void(const RenderState& state)> watch = {};
 };
 
 /// What became of it.

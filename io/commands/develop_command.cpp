@@ -60,7 +60,18 @@ SceneLinearImage scene_linear_picture(const Colors& colors, const DevelopCommand
   for (std::size_t pixel = 0; pixel < colors.alpha.size(); ++pixel)
     image.rgba[4 * pixel + 3] = colors.alpha[pixel];
   image.metadata = kept_metadata(colors, command);
+  image.camera = colors.header.camera;
   return image;
+}
+
+DisplayImage screen_picture(const Colors& colors, const DevelopCommand& command,
+                            const DisplaySettings& settings) {
+  const PictureHeader& header = colors.header;
+  if (!command.output.ocio)
+    return display_of(header.display, header.data, colors.values, settings, colors.observer);
+  const OcioTransform ocio(*command.output.ocio);
+  return ocio_picture(
+      ocio, scene_linear_of(header.display, header.data, colors.values, ocio.space()), settings);
 }
 
 } // namespace
@@ -84,11 +95,10 @@ int run(const DevelopCommand& command) {
                                   "it another name",
                                   path.string()));
   }
+  check_ocio(command.output);
   warn_of_outputs(command.given, outputs, command.output, say_warning);
   const DisplaySettings settings = overridden(DisplaySettings{}, command.display);
-  if (std::ranges::find(command.given, "--adaptation") != command.given.end() &&
-      !settings.white_point)
-    say_warning("--adaptation has no effect without --white-point");
+  warn_of_adaptation(command.given, outputs, settings, say_warning);
   const Colors colors = colors_of(command);
   if (!colors.header.unknown_tag.empty())
     say_warning(fmt::format("{} is tagged as \"{}\", which is not known; it is read as linear sRGB",
@@ -98,8 +108,7 @@ int run(const DevelopCommand& command) {
     linear = scene_linear_picture(colors, command);
   DisplayImage display;
   if (!std::ranges::all_of(command.outputs, is_scene_linear_extension)) {
-    display = display_of(colors.header.display, colors.header.data, colors.values, settings,
-                         colors.observer);
+    display = screen_picture(colors, command, settings);
     Metadata metadata = kept_metadata(colors, command);
     metadata.insert(metadata.end(), display.metadata.begin(), display.metadata.end());
     display.metadata = std::move(metadata);

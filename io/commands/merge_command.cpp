@@ -10,6 +10,7 @@
 #include "io/console/terminal.h"
 #include "io/outputs/band_place.h"
 #include "io/outputs/output_effects.h"
+#include "io/outputs/output_names.h"
 #include "io/outputs/write_outputs.h"
 #include "io/states/check_parts.h"
 #include "io/states/kept_settings.h"
@@ -93,8 +94,10 @@ int run(const MergeCommand& command) {
   inputs.insert(inputs.end(), command.parts.begin(), command.parts.end());
   const Outputs outputs{command.outputs, command.spectral_output, {}};
   check_outputs(outputs, inputs);
+  check_ocio(command.output);
   warn_of_outputs(command.given, outputs, command.output, say_warning);
   const Plan plan = plan_of(request, request.settings);
+  check_outputs(outputs, inputs, further_files(request.scene, plan, outputs, command.output));
   if (command.spectral_output && !StateReader(parts.front().file).has_bands())
     throw UserError("these parts have no bands: they are kept where parts are rendered with "
                     "--spectral");

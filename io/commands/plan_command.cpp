@@ -4,6 +4,7 @@
 #include "io/commands/check_memory.h"
 #include "io/commands/scene_request.h"
 #include "io/commands/setting_options.h"
+#include "io/outputs/band_place.h"
 
 namespace abbe {
 
@@ -16,7 +17,11 @@ int run(const PlanCommand& command) {
   SceneRequest request =
       read_request(command.scene_path, command.settings, nullptr, command.strictness);
   check_memory(plan_needs(least_plan_need(request.scene, request.settings)), {});
-  tell_plan(plan_of(request, request.settings));
+  const Plan plan = plan_of(request, request.settings);
+  tell_plan(plan);
+  BandPlace place = band_place({});
+  place.spectra = false;
+  tell_disk(disk_need(request.scene, plan, place), place);
   return 0;
 }
 

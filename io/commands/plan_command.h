@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/pbrt/strictness.h"
+#include "io/building/strictness.h"
 #include "io/settings/setting_text.h"
 
 #include <filesystem>

@@ -98,6 +98,8 @@ public:
   /// Throws UserError for a lamp whose group is in no cube.
   void check_used() const;
   [[nodiscard]] SceneLinearImage image() const;
+  /// How much noise the changes add, a note for each lamp.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
 private:
   Lamp begin(const fs::path& file, const PictureHeader& cube);
@@ -108,6 +110,7 @@ private:
   std::vector<Xyz> colors_;
   std::vector<float> alpha_;
   Metadata metadata_;
+  std::vector<std::string> notes_;
 };
 
 Lamp Relit::begin(const fs::path& file, const PictureHeader& cube) {
@@ -142,7 +145,14 @@ Lamp Relit::begin(const fs::path& file, const PictureHeader& cube) {
                             lamp->second.name, grid.width_nm()));
   metadata_.emplace_back("abbe/lamp/" + group, lamp->second.name);
   const bool wide = text_of(cube, "abbe/observer") == "10deg";
-  return {grid, lamp->second.spectrum, wide ? Observer::cie1964_10deg : Observer::cie1931_2deg};
+  const Observer observer = wide ? Observer::cie1964_10deg : Observer::cie1931_2deg;
+  const double noise = noise_of_change(grid, lamp->second.spectrum, observer);
+  metadata_.emplace_back("abbe/lampNoise/" + group, fmt::format("{:.3g}", noise));
+  notes_.push_back(fmt::format(
+      "light of {} under {}: where glass parts its bands, it has up to {:.3g} times the noise that "
+      "a rendering with this lamp would have",
+      group, lamp->second.name, noise));
+  return {grid, lamp->second.spectrum, observer};
 }
 
 void Relit::add(const fs::path& file) {
@@ -167,6 +177,7 @@ void Relit::check_used() const {
 
 SceneLinearImage Relit::image() const {
   SceneLinearImage image{first_->display, first_->data, {}, metadata_};
+  image.camera = first_->camera;
   for (const auto& entry : first_->metadata)
     if (entry.first.starts_with("abbe/") && entry.first != "abbe/lightGroup")
       image.metadata.push_back(entry);
@@ -207,6 +218,8 @@ int run(const RelightCommand& command) {
   for (const fs::path& cube : command.cubes)
     relit.add(cube);
   relit.check_used();
+  for (const std::string& note : relit.notes())
+    if (!command.quiet) say(note);
   const SceneLinearImage image = relit.image();
   return write_each({{command.output, [&] { return write_image(command.output, image, {}, {}); }}},
                     command.quiet)

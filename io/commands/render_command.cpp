@@ -1,6 +1,5 @@
 #include "io/commands/render_command.h"
 
-#include "core/image/develop.h"
 #include "core/planning/plan_extent.h"
 #include "core/render/memory_need.h"
 #include "core/render/peer_sums.h"
@@ -17,8 +16,11 @@
 #include "io/console/progress.h"
 #include "io/console/terminal.h"
 #include "io/outputs/band_place.h"
+#include "io/outputs/display_server.h"
 #include "io/outputs/output_effects.h"
+#include "io/outputs/output_names.h"
 #include "io/outputs/picture_warnings.h"
+#include "io/outputs/write_film_exr.h"
 #include "io/outputs/write_outputs.h"
 #include "io/text/numbers.h"
 
@@ -89,7 +91,7 @@ int write_partial(const Rendering& rendering, const Plan& plan, const Outputs& o
     return kExitInterrupted;
   }
   const fs::path partial = partial_path(outputs);
-  write_image(partial, develop_scene_linear(rendering.film, plan, options.exr_space), {}, options);
+  (void)FilmExrs(rendering.film, plan, options).write_picture(partial);
   say_error("interrupted: what was done is in " + partial.string());
   return kExitInterrupted;
 }
@@ -109,6 +111,11 @@ void add_options(CLI::App& app, RenderCommand& command) {
   add_output_options(app, command.output);
   add_memory_limit(app, command.memory_limit_gib);
   add_state_options(app, command.states);
+  app.add_option_function<std::string>(
+         "--display-server",
+         [&command](const std::string& place) { command.display_server = place; },
+         "Show the picture as it grows in tev, or another viewer that listens there")
+      ->type_name("HOST:PORT");
   app.add_flag("-q,--quiet", command.quiet, "Print warnings and errors only");
   add_settings(app, command.settings);
 }
@@ -140,15 +147,19 @@ Request read_request(const RenderCommand& command) {
   return request;
 }
 
-/// Where the bands go that the film keeps, if it does.
-std::optional<BandPlace> bands_of(const RenderCommand& command, const Request& request) {
+/// Where the film's sums go where they are large, and whether it keeps the bands of each pixel.
+BandPlace bands_of(const RenderCommand& command, const Request& request, const Outputs& outputs) {
   const bool kept = request.resumed && request.resumed->has_bands();
   if (request.resumed && command.spectral_output && !kept)
     throw UserError(fmt::format("{}: this state has no bands. They are kept where a rendering is "
                                 "begun with --spectral",
                                 command.states.resume->string()));
-  if (!command.spectral_output && !kept) return std::nullopt;
-  return band_place(command.spectral_output.value_or(std::filesystem::path()));
+  std::filesystem::path beside = command.spectral_output.value_or(std::filesystem::path());
+  if (beside.empty() && !outputs.images.empty()) beside = outputs.images.front();
+  if (beside.empty() && outputs.state) beside = *outputs.state;
+  BandPlace place = band_place(beside);
+  place.spectra = command.spectral_output || kept;
+  return place;
 }
 
 /// What the command line says that peers cannot do is refused.
@@ -160,20 +171,50 @@ void check_peers(const Peers& peers, const RenderCommand& command, const Request
   if (request.scene.settings.seconds > 0.0)
     throw UserError("--time and MPI exclude each other: ranks have clocks of their own. Give the "
                     "samples by --spp");
+  if (command.display_server)
+    throw UserError("--display-server and MPI exclude each other: no rank has the whole picture "
+                    "before the end. Leave out --display-server");
   if (command.states.plan_out)
     throw UserError("--plan-out makes a plan by one process. Use abbe without MPI");
 }
 
 RenderState begin(const RenderCommand& command, Request& request, const Plan& plan,
-                  const std::optional<BandPlace>& bands, const Peers& peers) {
+                  const BandPlace& bands, const Peers& peers) {
   const Scene& scene = request.scene.scene;
   if (!request.resumed) return begin_rendering(scene, plan, bands, request.part);
   const std::filesystem::path& file = *command.states.resume;
   check_plan(file, *request.resumed, scene, plan);
-  RenderState state = request.resumed->read_share(bands.value_or(BandPlace{}), plan, peers);
+  RenderState state = request.resumed->read_share(bands, plan, peers);
   if (!command.quiet) say(resume_note(file, request.resumed->info(), state, plan));
   return state;
 }
+
+/// The viewer that shows a rendering as it grows, if the user has named one.
+class Viewer {
+public:
+  Viewer(const RenderCommand& command, const Outputs& outputs, const Plan& plan)
+      : plan_(plan), space_(command.output.exr_space) {
+    if (!command.display_server) return;
+    const fs::path& file = outputs.images.empty() ? *outputs.state : outputs.images.front();
+    server_.emplace(*command.display_server, file.filename().string());
+  }
+
+  /// Empty where there is no viewer.
+  [[nodiscard]] std::function<void(const RenderState&)> watch() {
+    if (!server_) return {};
+    return [this](const RenderState& state) { show(state); };
+  }
+  void show(const RenderState& state) {
+    if (!server_ || server_->show(develop_scene_linear(state.film, plan_, space_))) return;
+    say_warning("the viewer has gone, or takes no more; the rendering goes on");
+    server_.reset();
+  }
+
+private:
+  const Plan& plan_;
+  SceneLinearSpace space_;
+  std::optional<DisplayServer> server_;
+};
 
 /// Tells where the state is that a rendering leaves, or that there is none.
 void tell_state(const Outputs& outputs, const CheckpointedRender& done, bool quiet) {
@@ -198,7 +239,10 @@ int run(const RenderCommand& command, const Peers& peers) {
   check_peers(peers, command, request);
   const Outputs outputs = outputs_of(command, scene, request.part);
   if (peers.is_first()) check_outputs(outputs, request.inputs);
+  const DisplaySettings display = overridden(scene.display, command.display);
+  check_ocio(command.output);
   warn_of_outputs(command.given, outputs, command.output, say_warning);
+  warn_of_adaptation(command.given, outputs, display, say_warning);
   check_memory(picture_needs(least_memory_need(request.scene.settings)), command.memory_limit_gib);
   check_memory(plan_needs(least_plan_need(scene, request.scene.settings)),
                command.memory_limit_gib);
@@ -207,9 +251,14 @@ int run(const RenderCommand& command, const Peers& peers) {
   check_plan_options(command.states, plan.settings);
   check_part(request.part, plan.settings,
              command.states.plan_in || (request.resumed && is_planned(request.resumed->info())));
-  const std::optional<BandPlace> bands = bands_of(command, request);
+  if (peers.is_first())
+    check_outputs(outputs, request.inputs, further_files(scene, plan, outputs, command.output));
+  const BandPlace bands = bands_of(command, request, outputs);
   check_memory(picture_needs(memory_need(scene, plan, bands)), command.memory_limit_gib);
-  if (!command.quiet) tell_plan(plan);
+  if (!command.quiet) {
+    tell_plan(plan);
+    tell_disk(disk_need(scene, plan, bands), bands);
+  }
   StateInfo info; // the checksums in it take time, so it is there where a state is kept
   if (outputs.state) info = info_of(request.scene_path, request.inputs, plan, request.part);
   if (command.states.plan_out)
@@ -224,13 +273,14 @@ int run(const RenderCommand& command, const Peers& peers) {
   if (request.resumed && is_planned(request.resumed->info()))
     info.settings = request.resumed->info().settings;
   const World world(scene.shapes, farthest_coordinate(scene));
+  Viewer viewer(command, outputs, plan);
   if (!peers.all(true)) return kPeerFailed;
 
   const SampleRange range = samples_of(request.part, plan.settings.samples_per_pixel);
   const CheckpointedRender done = render_with_checkpoints(
-      {scene, plan, world, info, peers}, range, state,
-      {outputs.state, command.states.every_seconds, bands.value_or(BandPlace{})}, stop,
-      command.quiet);
+      {scene, plan, world, info, peers, viewer.watch()}, range, state,
+      {outputs.state, command.states.every_seconds, bands}, stop, command.quiet);
+  viewer.show(state);
   add_up_film(state.film, peers);
   if (!peers.is_first()) return done.complete ? 0 : kExitInterrupted;
   const Rendering rendering = end_rendering(std::move(state), plan, done.complete);
@@ -242,7 +292,6 @@ int run(const RenderCommand& command, const Peers& peers) {
 
   if (!rendering.complete) return write_partial(rendering, plan, outputs, command.output);
   say_warning(warning_of_darkness(scene, plan, rendering));
-  const DisplaySettings display = overridden(scene.display, command.display);
   const bool written =
       write_outputs(rendering, plan, outputs, command.output, display, command.quiet);
   return written && done.kept ? 0 : kExitFailure;

@@ -2,7 +2,7 @@
 
 #include "io/commands/state_options.h"
 #include "io/images/write_image.h"
-#include "io/pbrt/strictness.h"
+#include "io/building/strictness.h"
 #include "io/settings/setting_text.h"
 
 #include <filesystem>
@@ -34,6 +34,7 @@ struct RenderCommand {
   std::optional<std::filesystem::path> spectral_output;
   std::optional<double> memory_limit_gib; ///< empty: what the machine has left
   StateOptions states;
+  std::optional<std::string> display_server; ///< HOST:PORT of a viewer
   bool quiet = false;
 };
 void add_options(CLI::App& app, RenderCommand& command);

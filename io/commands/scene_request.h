@@ -2,7 +2,7 @@
 
 #include "core/plan/plan.h"
 #include "core/scene/scene.h"
-#include "io/pbrt/strictness.h"
+#include "io/building/strictness.h"
 #include "io/scene_language/input_files.h"
 #include "io/settings/setting_text.h"
 

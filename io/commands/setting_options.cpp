@@ -126,12 +126,39 @@ void add_output_options(CLI::App& app, OutputOptions& output) {
   add_choice<ExrPixel>(app, "--exr-pixel", output.exr_pixel,
                        {{"half", ExrPixel::half}, {"float", ExrPixel::single}},
                        "Precision of EXR pixels");
+  add_choice<ExrTag>(app, "--exr-tag", output.exr_tag,
+                     {{"colorInteropID", ExrTag::interop_id},
+                      {"chromaticities", ExrTag::chromaticities},
+                      {"both", ExrTag::both},
+                      {"none", ExrTag::none}},
+                     "How EXR says which colours its values are");
   add_choice<TiffDepth>(
       app, "--tiff-depth", output.tiff_depth,
       {{"8", TiffDepth::bits8}, {"16", TiffDepth::bits16}, {"32", TiffDepth::float32}},
       "Bits per TIFF channel; 32 is linear floating point");
   add_choice<int>(app, "--png-depth", output.png_bits, {{"8", 8}, {"16", 16}},
                   "Bits per PNG channel");
+  add_choice<IccVersion>(
+      app, "--profile", output.profile,
+      {{"v4", IccVersion::v4}, {"v2", IccVersion::v2}, {"none", IccVersion::none}},
+      "ICC profile of TIFF, and of PNG that is not sRGB");
+  const auto ocio = [&output]() -> OcioLook& {
+    return output.ocio ? *output.ocio : output.ocio.emplace();
+  };
+  app.add_option_function<std::string>(
+         "--ocio", [ocio](const std::string& file) { ocio().config = file; },
+         "TIFF and PNG by a configuration of OpenColorIO, in place of --tone and --gamut")
+      ->type_name("FILE");
+  app.add_option_function<std::string>(
+         "--ocio-display", [ocio](const std::string& name) { ocio().display = name; },
+         "A display of the configuration (default: its first)")
+      ->type_name("NAME");
+  app.add_option_function<std::string>(
+         "--ocio-view", [ocio](const std::string& name) { ocio().view = name; },
+         "A view of that display (default: its first)")
+      ->type_name("NAME");
+  app.add_flag("--full-frame", output.full_frame,
+               "Write a crop over the whole frame, black around it");
   app.add_flag("--layer-files", output.layer_files,
                "Write each layer into an EXR of its own, such as NAME.depth.exr");
 }

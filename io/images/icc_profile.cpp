@@ -69,7 +69,8 @@ std::string profile_name(const DisplayEncoding& encoding) {
   return fmt::format("{}, {}{}", space, transfer.knee == 0.0 ? "gamma " : "", transfer.name);
 }
 
-std::vector<std::byte> icc_profile(const DisplayEncoding& encoding) {
+std::vector<std::byte> icc_profile(const DisplayEncoding& encoding, IccVersion version) {
+  if (version == IccVersion::none) return {};
   const CmsCurve curve = tone_curve(encoding.transfer);
   require(curve);
   const RgbPrimaries& p = encoding.space.primaries;
@@ -78,7 +79,7 @@ std::vector<std::byte> icc_profile(const DisplayEncoding& encoding) {
   const std::array<cmsToneCurve*, 3> curves = {curve.get(), curve.get(), curve.get()};
   const Profile profile(cmsCreateRGBProfile(&white, &primaries, curves.data()));
   require(profile);
-  cmsSetProfileVersion(profile.get(), 4.3);
+  cmsSetProfileVersion(profile.get(), version == IccVersion::v2 ? 2.1 : 4.3);
   const Text text(cmsMLUalloc(nullptr, 1));
   require(text);
   require(cmsMLUsetASCII(text.get(), "en", "US", profile_name(encoding).c_str()));

@@ -23,6 +23,7 @@ struct PictureHeader {
   bool has_color = false;             ///< false where it holds other things only
   Metadata metadata;                  ///< its texts by their names
   std::string unknown_tag;            ///< of its colour space, where we do not know it
+  std::optional<CameraMatrices> camera = {};
 };
 
 /// Rows of a picture, counted as its windows do.
@@ -35,6 +36,7 @@ struct PictureRequest {
   std::optional<RowRange> rows = {}; ///< empty: all
   bool bands = false, alpha = false;
   bool header_only = false;
+  std::vector<std::string> channels = {}; ///< of an EXR, full ones that it has beside these
 };
 
 /// The part of a file's window that is asked for; it has no height where that lies outside.
@@ -51,6 +53,7 @@ struct PictureValues {
   std::vector<float> rgb;   ///< linear sRGB, interleaved; empty where the file has no colours
   std::vector<float> bands; ///< all bands of a pixel side by side, per nm; empty unless asked for
   std::vector<float> alpha; ///< empty unless asked for, and where the file has none
+  std::vector<float> layers = {}; ///< the channels asked for by name, side by side by pixel
 };
 
 } // namespace abbe

@@ -158,6 +158,24 @@ const char* type_name(Imf::PixelType type) {
   }
 }
 
+Matrix4 from_imath(const Imath::M44f& m) {
+  Matrix4 matrix;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      const double value = m[i][j]; // a damaged file may have anything
+      matrix[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
+          std::isfinite(value) ? value : 0.0;
+    }
+  return matrix;
+}
+
+std::optional<CameraMatrices> camera_of(const Imf::Header& header) {
+  if (!Imf::hasWorldToCamera(header)) return std::nullopt;
+  CameraMatrices camera{from_imath(Imf::worldToCamera(header)), {}};
+  if (Imf::hasWorldToNDC(header)) camera.world_to_image = from_imath(Imf::worldToNDC(header));
+  return camera;
+}
+
 /// What a header says, but for the colours' tag.
 PictureHeader header_of(const Imf::Header& header) {
   PictureHeader said;
@@ -175,6 +193,7 @@ PictureHeader header_of(const Imf::Header& header) {
     if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute()))
       said.metadata.emplace_back(it.name(), text->value());
   said.has_color = !color_channels(header.channels()).empty();
+  said.camera = camera_of(header);
   return said;
 }
 
@@ -246,6 +265,8 @@ PictureValues read_exr_picture(const std::filesystem::path& path, const PictureR
   const Imf::Channel* alpha = header.channels().findChannel("A");
   if (request.alpha && alpha != nullptr && is_full(*alpha))
     targets.push_back({{"A"}, 1, picture.alpha});
+  if (!request.channels.empty())
+    targets.push_back({request.channels, request.channels.size(), picture.layers});
   if (targets.empty()) return picture;
   read_rows(file, picture.part, targets);
   if (colors.size() == 1)

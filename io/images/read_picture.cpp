@@ -44,6 +44,11 @@ public:
     add(fmt::format("{}", w.x1));
     add(fmt::format("{}", w.y1));
   }
+  void add(const Matrix4& matrix) {
+    for (const auto& row : matrix)
+      for (const double value : row)
+        add(fmt::format("{}", value)); // the shortest text that is read as the same number
+  }
   [[nodiscard]] std::string packed() && { return std::move(packed_); }
 
 private:
@@ -70,13 +75,31 @@ public:
     return w;
   }
 
+  Matrix4 matrix() {
+    Matrix4 matrix;
+    for (auto& row : matrix)
+      for (double& value : row)
+        value = parse_finite(text()).value();
+    return matrix;
+  }
+
 private:
   std::string_view rest_;
 };
 
+/// The matrices of the camera that are known.
+std::vector<const Matrix4*> matrices_of(const PictureHeader& header) {
+  std::vector<const Matrix4*> matrices;
+  if (header.camera) matrices.push_back(&header.camera->world_to_camera);
+  if (header.camera && header.camera->world_to_image)
+    matrices.push_back(&*header.camera->world_to_image);
+  return matrices;
+}
+
 ChildMessage packed(PictureValues picture) {
   const PictureHeader& header = picture.header;
   Packer packer;
+  packer.add(fmt::format("{}", matrices_of(header).size()));
   packer.add(header.format);
   packer.add(header.display);
   packer.add(header.data);
@@ -96,10 +119,13 @@ ChildMessage packed(PictureValues picture) {
     packer.add(name);
     packer.add(value);
   }
+  for (const Matrix4* matrix : matrices_of(header))
+    packer.add(*matrix);
   packer.add(fmt::format("{}", picture.rgb.size()));
   packer.add(fmt::format("{}", picture.alpha.size()));
+  packer.add(fmt::format("{}", picture.layers.size()));
   ChildMessage message{std::move(packer).packed(), std::move(picture.rgb)};
-  for (const auto* values : {&picture.alpha, &picture.bands})
+  for (const auto* values : {&picture.alpha, &picture.layers, &picture.bands})
     message.values.insert(message.values.end(), values->begin(), values->end());
   return message;
 }
@@ -108,6 +134,7 @@ PictureValues unpacked(ChildMessage message) {
   Unpacker unpacker(message.text);
   PictureValues picture;
   PictureHeader& header = picture.header;
+  const int matrices = unpacker.whole();
   header.format = unpacker.text();
   header.display = unpacker.window();
   header.data = unpacker.window();
@@ -127,25 +154,29 @@ PictureValues unpacked(ChildMessage message) {
     name = unpacker.text();
     value = unpacker.text();
   }
+  if (matrices > 0) header.camera.emplace().world_to_camera = unpacker.matrix();
+  if (matrices > 1) header.camera->world_to_image = unpacker.matrix();
   const auto colors = static_cast<std::ptrdiff_t>(parse_whole(unpacker.text()).value());
   const auto alphas = static_cast<std::ptrdiff_t>(parse_whole(unpacker.text()).value());
-  const auto alpha = message.values.begin() + colors;
-  picture.alpha.assign(alpha, alpha + alphas);
-  picture.bands.assign(alpha + alphas, message.values.end());
+  const auto layers = static_cast<std::ptrdiff_t>(parse_whole(unpacker.text()).value());
+  const auto alpha = message.values.begin() + colors, layer = alpha + alphas;
+  picture.alpha.assign(alpha, layer);
+  picture.layers.assign(layer, layer + layers);
+  picture.bands.assign(layer + layers, message.values.end());
   message.values.resize(static_cast<std::size_t>(colors));
   picture.rgb = std::move(message.values);
   return picture;
 }
 
 /// Null for a name of no picture.
-const InputFormat* find_format(const fs::path& file) {
+const InputFormat* find_input_format(const fs::path& file) {
   for (const InputFormat& format : kInputFormats)
     if (same_name(format.extension, file.extension().string())) return &format;
   return nullptr;
 }
 
 const InputFormat& format_of(const fs::path& file) {
-  if (const InputFormat* format = find_format(file)) return *format;
+  if (const InputFormat* format = find_input_format(file)) return *format;
   throw UserError(fmt::format("{}: no picture is read under this name. It should end in .exr, "
                               ".tif, .tiff or .png",
                               file.string()));
@@ -154,7 +185,7 @@ const InputFormat& format_of(const fs::path& file) {
 } // namespace
 
 bool is_picture_name(const fs::path& file) {
-  return find_format(file) != nullptr;
+  return find_input_format(file) != nullptr;
 }
 
 PictureValues read_picture(const fs::path& file, const PictureRequest& request) {

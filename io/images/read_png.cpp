@@ -25,7 +25,7 @@
 namespace abbe {
 namespace {
 
-struct CloseFile {
+struct CloseInput {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
@@ -34,13 +34,13 @@ struct FreeMemory {
 };
 
 /// libpng's message, copied before it jumps back.
-struct PngError {
+struct PngReadError {
   std::array<char, 256> text{};
 };
 
 extern "C" {
 static void jump_back_from_reading(png_structp png, png_const_charp message) {
-  auto& text = static_cast<PngError*>(png_get_error_ptr(png))->text;
+  auto& text = static_cast<PngReadError*>(png_get_error_ptr(png))->text;
   std::snprintf(text.data(), text.size(), "%s", message);
   png_longjmp(png, 1);
 }
@@ -48,9 +48,9 @@ static void ignore_reading_warning(png_structp, png_const_charp) {}
 }
 
 /// libpng's two handles.
-class PngHandles {
+class PngReadHandles {
 public:
-  explicit PngHandles(PngError& error)
+  explicit PngReadHandles(PngReadError& error)
       : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &error, jump_back_from_reading,
                                    ignore_reading_warning)),
         info(png != nullptr ? png_create_info_struct(png) : nullptr) {
@@ -59,9 +59,9 @@ public:
       throw std::runtime_error(error.text[0] != '\0' ? error.text.data() : "libpng failed");
     }
   }
-  PngHandles(const PngHandles&) = delete;
-  PngHandles& operator=(const PngHandles&) = delete;
-  ~PngHandles() { png_destroy_read_struct(&png, &info, nullptr); }
+  PngReadHandles(const PngReadHandles&) = delete;
+  PngReadHandles& operator=(const PngReadHandles&) = delete;
+  ~PngReadHandles() { png_destroy_read_struct(&png, &info, nullptr); }
 
   png_structp png;
   png_infop info;
@@ -109,7 +109,7 @@ struct Codes {
   }
 };
 
-Codes read_codes(const PngHandles& handles, const PngError& error) {
+Codes read_codes(const PngReadHandles& handles, const PngReadError& error) {
   Codes codes{png_get_image_width(handles.png, handles.info),
               png_get_image_height(handles.png, handles.info),
               {}};
@@ -127,9 +127,9 @@ Codes read_codes(const PngHandles& handles, const PngError& error) {
 
 /// A file that is open, and libpng's handles on it, which have read what stands before the pixels.
 struct OpenPng {
-  std::unique_ptr<std::FILE, CloseFile> file;
-  PngError error;
-  PngHandles handles{error};
+  std::unique_ptr<std::FILE, CloseInput> file;
+  PngReadError error;
+  PngReadHandles handles{error};
 
   explicit OpenPng(const std::filesystem::path& path) {
     require_regular_file(path);
@@ -192,7 +192,7 @@ ReflectanceImage read_png(const std::filesystem::path& path) {
 
 PictureValues read_png_picture(const std::filesystem::path& path, const PictureRequest& request) {
   const OpenPng open(path);
-  const PngHandles& handles = open.handles;
+  const PngReadHandles& handles = open.handles;
   PictureValues picture{header_of(handles.png, handles.info), {}, {}, {}, {}};
   // What the file has, not what libpng makes of it.
   std::array<unsigned char, 2> kind{};

@@ -1,5 +1,6 @@
 #include "io/images/write_exr.h"
 
+#include "core/image/scene_linear_space.h"
 #include "io/files/atomic_file.h"
 #include "io/images/write_pixels.h"
 
@@ -10,6 +11,7 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStdIO.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfThreading.h>
@@ -25,6 +27,7 @@
 #include <string>
 #include <system_error>
 #include <thread>
+#include <vector>
 
 namespace abbe {
 namespace {
@@ -49,14 +52,36 @@ const char* interop_id(SceneLinearSpace space) {
   return "unknown";
 }
 
-Imf::Header make_header(const PixelWindow& display, const PixelWindow& data,
-                        const Metadata& metadata, SceneLinearSpace space) {
-  Imf::Header header(inclusive(display), inclusive(data));
+Imath::M44f to_imath(const Matrix4& matrix) {
+  Imath::M44f m;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      m[i][j] =
+          static_cast<float>(matrix[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]);
+  return m;
+}
+
+Imf::Chromaticities chromaticities(SceneLinearSpace space) {
+  const ColorSpace s = space_of(space);
+  const auto xy = [](const Chromaticity& c) {
+    return Imath::V2f(static_cast<float>(c.x), static_cast<float>(c.y));
+  };
+  return {xy(s.primaries.red), xy(s.primaries.green), xy(s.primaries.blue), xy(s.white)};
+}
+
+Imf::Header make_header(const ExrHead& head) {
+  Imf::Header header(inclusive(head.display), inclusive(head.data));
   header.compression() = Imf::ZIP_COMPRESSION;
-  for (const auto& [name, value] : metadata)
+  for (const auto& [name, value] : head.metadata)
     header.insert(name, Imf::StringAttribute(value));
-  // The tag replaces `chromaticities`, which must not stand beside it. (source: ColorInterop2026)
-  header.insert("colorInteropID", Imf::StringAttribute(interop_id(space)));
+  if (head.tag == ExrTag::interop_id || head.tag == ExrTag::both)
+    header.insert("colorInteropID", Imf::StringAttribute(interop_id(head.space)));
+  if (head.tag == ExrTag::chromaticities || head.tag == ExrTag::both)
+    Imf::addChromaticities(header, chromaticities(head.space));
+  if (!head.camera) return header;
+  Imf::addWorldToCamera(header, to_imath(head.camera->world_to_camera));
+  if (head.camera->world_to_image)
+    Imf::addWorldToNDC(header, to_imath(*head.camera->world_to_image));
   return header;
 }
 
@@ -139,15 +164,6 @@ void save(const std::filesystem::path& target, const std::filesystem::path& temp
 /// OpenEXR deflates so many rows together; each thread takes such a block.
 constexpr int kRowsPerDeflate = 16;
 
-/// True when each finite value is finite as a half, too. The largest finite half is (2 - 2^-10)
-/// 2^15; from the middle between it and 2^16 on, values are rounded to infinity. (source: IEEE 754)
-bool fits_half(std::span<const float> values) {
-  constexpr float first_infinite = 65520.0f;
-  return std::ranges::none_of(values, [](float value) {
-    return std::abs(value) >= first_infinite && std::isfinite(value);
-  });
-}
-
 /// `S0.380,000000nm`: intensity; decimal comma, since a dot separates layers. (source: Fichet2021)
 std::string spectral_channel_name(double wavelength_nm) {
   std::string number = fmt::format("{:.6f}", wavelength_nm);
@@ -157,47 +173,74 @@ std::string spectral_channel_name(double wavelength_nm) {
 
 } // namespace
 
-ExrPixel write_exr(const std::filesystem::path& path, const SceneLinearImage& image,
-                   ExrPixel pixel) {
-  if (!fits_half(image.rgba)) pixel = ExrPixel::single;
+/// The largest finite half is (2 - 2^-10) 2^15; from the middle between it and 2^16 on, values are
+/// rounded to infinity. (source: IEEE 754)
+bool fits_half(std::span<const float> values) {
+  constexpr float first_infinite = 65520.0f;
+  return std::ranges::none_of(values, [](float value) {
+    return std::abs(value) >= first_infinite && std::isfinite(value);
+  });
+}
+
+void write_exr_rows(const std::filesystem::path& path, const ExrHead& head, ExrPixel pixel,
+                    const LinearRows& develop) {
   replace_file(path, [&](const std::filesystem::path& temporary) {
-    const bool has_colors = !image.rgba.empty() || image.channels.empty();
-    if (has_colors) require_pixels(image.display, image.data, image.rgba.size(), 4);
-    for (const ImageChannel& channel : image.channels)
-      require_pixels(image.display, image.data, channel.values.size(), 1);
-    Imf::Header header = make_header(image.display, image.data, image.metadata, image.space);
+    require_pixels(head.display, head.data, 4 * head.data.pixel_count(), 4);
+    Imf::Header header = make_header(head);
+    SceneLinearImage image;
     std::vector<Imath::half> halves;
     const auto channels_of = [&](const PixelWindow& rows) {
-      const auto first = static_cast<std::size_t>(rows.y0 - image.data.y0) *
-                         static_cast<std::size_t>(rows.width());
+      image = develop(rows);
       Channels channels{header, rows};
-      switch (has_colors ? pixel : ExrPixel::half) {
-      case ExrPixel::half:
-        if (!has_colors) break;
-        halves.assign(image.rgba.begin() + static_cast<std::ptrdiff_t>(4 * first),
-                      image.rgba.begin() + static_cast<std::ptrdiff_t>(4 * first) +
-                          static_cast<std::ptrdiff_t>(4 * rows.pixel_count()));
-        channels.add_rgba(halves.data());
-        break;
-      case ExrPixel::single:
-        channels.add_rgba(image.rgba.data() + 4 * first);
-        break;
+      if (!image.rgba.empty() || image.channels.empty()) {
+        require_pixels(head.display, rows, image.rgba.size(), 4);
+        if (pixel == ExrPixel::single) channels.add_rgba(image.rgba.data());
+        if (pixel == ExrPixel::half) {
+          halves.assign(image.rgba.begin(), image.rgba.end());
+          channels.add_rgba(halves.data());
+        }
       }
-      for (const ImageChannel& channel : image.channels)
-        channels.add(channel.name, channel.values.data() + first, 1);
+      for (const ImageChannel& channel : image.channels) {
+        require_pixels(head.display, rows, channel.values.size(), 1);
+        channels.add(channel.name, channel.values.data(), 1);
+      }
       return RowBlock{channels.frame, rows.height()};
     };
-    save(path, temporary, header, image.data, kRowsPerDeflate, channels_of);
+    const DeflateThreads threads;
+    const int rows = kRowsPerDeflate * std::clamp(Imf::globalThreadCount(), 1, 8);
+    save(path, temporary, header, head.data, rows, channels_of);
   });
+}
+
+ExrPixel write_exr(const std::filesystem::path& path, const SceneLinearImage& image, ExrPixel pixel,
+                   ExrTag tag) {
+  if (!fits_half(image.rgba)) pixel = ExrPixel::single;
+  const auto rows_of = [&](const PixelWindow& rows) {
+    const auto begin = static_cast<std::ptrdiff_t>(image.data.index(rows.x0, rows.y0));
+    const auto count = static_cast<std::ptrdiff_t>(rows.pixel_count());
+    const auto part = [&](const std::vector<float>& values, std::ptrdiff_t channels) {
+      return std::vector<float>(values.begin() + channels * begin,
+                                values.begin() + channels * (begin + count));
+    };
+    SceneLinearImage some{image.display, rows, {}, {}, image.space};
+    if (!image.rgba.empty()) some.rgba = part(image.rgba, 4);
+    for (const ImageChannel& channel : image.channels)
+      some.channels.push_back({channel.name, part(channel.values, 1)});
+    return some;
+  };
+  write_exr_rows(path, {image.display, image.data, image.metadata, image.space, image.camera, tag},
+                 pixel, rows_of);
   return pixel;
 }
 
 void write_spectral_exr(const std::filesystem::path& path, const PixelWindow& data,
-                        const std::function<SpectralImage(const PixelWindow& rows)>& develop) {
+                        const std::function<SpectralImage(const PixelWindow& rows)>& develop,
+                        ExrTag tag) {
   replace_file(path, [&](const std::filesystem::path& temporary) {
     require_pixels(data, data, 4 * data.pixel_count(), 4);
     SpectralImage image = develop({data.x0, data.y0, data.x1, data.y0 + 1});
-    Imf::Header header = make_header(image.display, data, image.metadata, SceneLinearSpace::rec709);
+    Imf::Header header = make_header(
+        {image.display, data, image.metadata, SceneLinearSpace::rec709, image.camera, tag});
     header.insert("spectralLayoutVersion", Imf::StringAttribute("1.0"));
     header.insert("emissiveUnits", Imf::StringAttribute("W.m^-2.sr^-1"));
     header.insert("EV", Imf::FloatAttribute(0.0f));

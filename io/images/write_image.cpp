@@ -1,5 +1,6 @@
 #include "io/images/write_image.h"
 
+#include "core/image/full_frame.h"
 #include "io/images/write_png.h"
 
 #include <fmt/format.h>
@@ -23,23 +24,19 @@ struct OutputFormat {
 
 std::string write_as_exr(const std::filesystem::path& path, const SceneLinearImage& scene_linear,
                          const DisplayImage&, const OutputOptions& options) {
-  const ExrPixel written = write_exr(path, scene_linear, options.exr_pixel);
-  if (written == options.exr_pixel) return "";
-  return fmt::format(
-      "{}: written with 32 bits a channel, since values are beyond the range of half "
-      "floats (65504)",
-      path.string());
+  const ExrPixel written = write_exr(path, scene_linear, options.exr_pixel, options.exr_tag);
+  return written == options.exr_pixel ? "" : note_of_floats(path);
 }
 
 std::string write_as_tiff(const std::filesystem::path& path, const SceneLinearImage&,
                           const DisplayImage& display, const OutputOptions& options) {
-  write_tiff(path, display, options.tiff_depth);
+  write_tiff(path, display, options.tiff_depth, options.profile);
   return "";
 }
 
 std::string write_as_png(const std::filesystem::path& path, const SceneLinearImage&,
                          const DisplayImage& display, const OutputOptions& options) {
-  write_png(path, display, options.png_bits);
+  write_png(path, display, options.png_bits, options.profile);
   return "";
 }
 
@@ -88,7 +85,17 @@ std::string write_image(const std::filesystem::path& path, const SceneLinearImag
                                          "would be right)",
                                          path.string(), path.extension().string(),
                                          known_image_extensions()));
-  return format->write(path, scene_linear, display, options);
+  if (!options.full_frame) return format->write(path, scene_linear, display, options);
+  if (format->scene_linear)
+    return format->write(path, placed_in(scene_linear.display, scene_linear), display, options);
+  return format->write(path, scene_linear, in_full_frame(display), options);
+}
+
+std::string note_of_floats(const std::filesystem::path& path) {
+  return fmt::format(
+      "{}: written with 32 bits a channel, since values are beyond the range of half "
+      "floats (65504)",
+      path.string());
 }
 
 } // namespace abbe

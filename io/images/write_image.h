@@ -1,10 +1,12 @@
 #pragma once
 
 #include "core/image/image.h"
+#include "io/images/ocio_look.h"
 #include "io/images/write_exr.h"
 #include "io/images/write_tiff.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace abbe {
@@ -15,7 +17,11 @@ struct OutputOptions {
   TiffDepth tiff_depth = TiffDepth::bits8;
   int png_bits = 8; ///< 8 or 16
   SceneLinearSpace exr_space = SceneLinearSpace::rec709;
-  bool layer_files = false; ///< each layer goes into an EXR of its own
+  ExrTag exr_tag = ExrTag::interop_id;
+  IccVersion profile = IccVersion::v4;
+  bool layer_files = false;          ///< each layer goes into an EXR of its own
+  bool full_frame = false;           ///< crops are written over the whole frame, black around them
+  std::optional<OcioLook> ocio = {}; ///< makes pictures for screens, in place of our own curves
 };
 
 /// True when `write_image` has a writer for the extension of the path, whatever its case.
@@ -35,5 +41,8 @@ struct OutputOptions {
 /// `replace_file` reports.
 std::string write_image(const std::filesystem::path& path, const SceneLinearImage& scene_linear,
                         const DisplayImage& display, const OutputOptions& options);
+
+/// Says that an EXR could not be written in half floats.
+[[nodiscard]] std::string note_of_floats(const std::filesystem::path& path);
 
 } // namespace abbe

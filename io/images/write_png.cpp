@@ -23,19 +23,19 @@
 namespace abbe {
 namespace {
 
-struct CloseFile {
+struct CloseOutput {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
-using File = std::unique_ptr<std::FILE, CloseFile>;
+using File = std::unique_ptr<std::FILE, CloseOutput>;
 
 /// libpng's message, copied before it jumps back.
-struct PngError {
+struct PngWriteError {
   std::array<char, 256> text{};
 };
 
 extern "C" {
 static void jump_back(png_structp png, png_const_charp message) {
-  auto& text = static_cast<PngError*>(png_get_error_ptr(png))->text;
+  auto& text = static_cast<PngWriteError*>(png_get_error_ptr(png))->text;
   std::snprintf(text.data(), text.size(), "%s", message);
   png_longjmp(png, 1);
 }
@@ -43,9 +43,9 @@ static void ignore_warning(png_structp, png_const_charp) {}
 }
 
 /// libpng's two handles.
-class PngHandles {
+class PngWriteHandles {
 public:
-  explicit PngHandles(PngError& error)
+  explicit PngWriteHandles(PngWriteError& error)
       : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &error, jump_back, ignore_warning)),
         info(png != nullptr ? png_create_info_struct(png) : nullptr) {
     if (info == nullptr) {
@@ -53,9 +53,9 @@ public:
       throw std::runtime_error(error.text[0] != '\0' ? error.text.data() : "libpng failed");
     }
   }
-  PngHandles(const PngHandles&) = delete;
-  PngHandles& operator=(const PngHandles&) = delete;
-  ~PngHandles() { png_destroy_write_struct(&png, &info); }
+  PngWriteHandles(const PngWriteHandles&) = delete;
+  PngWriteHandles& operator=(const PngWriteHandles&) = delete;
+  ~PngWriteHandles() { png_destroy_write_struct(&png, &info); }
 
   png_structp png;
   png_infop info;
@@ -63,14 +63,15 @@ public:
 
 /// All that libpng needs, made ready beforehand.
 struct PngContent {
-  PixelWindow display, data;
+  PixelWindow data;
   int bits;
   const float* values; ///< interleaved R, G, B, row by row
   void (*encode)(std::span<const float> values, png_bytep row);
   png_bytep row; ///< room for one
   std::vector<png_text> texts;
   std::string profile_name;
-  std::vector<std::byte> profile; ///< empty: sRGB
+  bool srgb;
+  std::vector<std::byte> profile; ///< empty: none
 };
 
 bool is_ascii(const std::string& text) {
@@ -100,15 +101,11 @@ bool encode(png_structp png, png_infop info, std::FILE* file, const PngContent& 
   png_init_io(png, file);
   png_set_IHDR(png, info, width, height, content.bits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  if (content.profile.empty())
-    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
-  else
+  if (content.srgb) png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
+  if (!content.profile.empty())
     png_set_iCCP(png, info, content.profile_name.c_str(), PNG_COMPRESSION_TYPE_BASE,
                  reinterpret_cast<png_const_bytep>(content.profile.data()),
                  static_cast<png_uint_32>(content.profile.size()));
-  if (content.data != content.display)
-    png_set_oFFs(png, info, content.data.x0 - content.display.x0,
-                 content.data.y0 - content.display.y0, PNG_OFFSET_PIXEL);
   png_set_text(png, info, content.texts.data(), static_cast<int>(content.texts.size()));
   png_write_info(png, info);
   if (content.bits == 16 && std::endian::native == std::endian::little) png_set_swap(png);
@@ -121,25 +118,37 @@ bool encode(png_structp png, png_infop info, std::FILE* file, const PngContent& 
   return true;
 }
 
+/// What the picture says of itself, and where a crop lies.
+Metadata texts_of(const DisplayImage& image) {
+  Metadata texts = image.metadata;
+  const PixelWindow &full = image.display, &part = image.data;
+  if (part != full)
+    texts.emplace_back("abbe/crop", fmt::format("{},{},{},{} of {}x{}", part.x0 - full.x0,
+                                                part.y0 - full.y0, part.x1 - full.x0,
+                                                part.y1 - full.y0, full.width(), full.height()));
+  return texts;
+}
+
 template <class Code>
-void save(const std::filesystem::path& path, const DisplayImage& image) {
+void save(const std::filesystem::path& path, const DisplayImage& image, IccVersion profile) {
   std::vector<Code> row(3 * static_cast<std::size_t>(image.data.width()));
-  const PngContent content{image.display,
-                           image.data,
+  const bool srgb = image.encoding == DisplayEncoding{};
+  const Metadata texts = texts_of(image);
+  const PngContent content{image.data,
                            8 * sizeof(Code),
                            image.encoded.data(),
                            [](std::span<const float> values, png_bytep codes) {
                              code_values(values, reinterpret_cast<Code*>(codes));
                            },
                            reinterpret_cast<png_bytep>(row.data()),
-                           text_entries(image.metadata),
+                           text_entries(texts),
                            profile_name(image.encoding),
-                           image.encoding == DisplayEncoding{} ? std::vector<std::byte>{}
-                                                               : icc_profile(image.encoding)};
+                           srgb,
+                           srgb ? std::vector<std::byte>{} : icc_profile(image.encoding, profile)};
   File file(std::fopen(path.c_str(), "wb"));
   if (!file) throw std::system_error(errno, std::generic_category());
-  PngError error;
-  const PngHandles handles(error);
+  PngWriteError error;
+  const PngWriteHandles handles(error);
   if (!encode(handles.png, handles.info, file.get(), content))
     throw std::runtime_error(error.text.data());
   if (std::fclose(file.release()) != 0) throw std::system_error(errno, std::generic_category());
@@ -147,11 +156,12 @@ void save(const std::filesystem::path& path, const DisplayImage& image) {
 
 } // namespace
 
-void write_png(const std::filesystem::path& path, const DisplayImage& image, int bits) {
+void write_png(const std::filesystem::path& path, const DisplayImage& image, int bits,
+               IccVersion profile) {
   replace_file(path, [&](const std::filesystem::path& temporary) {
     require_pixels(image.display, image.data, image.encoded.size(), 3);
-    if (bits == 8) return save<std::uint8_t>(temporary, image);
-    if (bits == 16) return save<std::uint16_t>(temporary, image);
+    if (bits == 8) return save<std::uint8_t>(temporary, image, profile);
+    if (bits == 16) return save<std::uint16_t>(temporary, image, profile);
     throw std::runtime_error(fmt::format("PNG takes 8 or 16 bits here, not {}", bits));
   });
 }

@@ -81,6 +81,7 @@ void set_texts(TIFF* tiff, const Samples& samples, const Metadata& metadata) {
     description.append(name).append(": ").append(value) += '\n';
   set(tiff, TIFFTAG_SOFTWARE, "abbe");
   if (!description.empty()) set(tiff, TIFFTAG_IMAGEDESCRIPTION, description.c_str());
+  if (samples.icc_profile.empty()) return;
   set(tiff, TIFFTAG_ICCPROFILE, static_cast<std::uint32_t>(samples.icc_profile.size()),
       samples.icc_profile.data());
 }
@@ -105,21 +106,23 @@ void save(const std::filesystem::path& path, const DisplayImage& image, const Sa
 }
 
 template <class Code>
-void save_integers(const std::filesystem::path& path, const DisplayImage& image) {
+void save_integers(const std::filesystem::path& path, const DisplayImage& image,
+                   IccVersion profile) {
   require_pixels(image.display, image.data, image.encoded.size(), 3);
   save(path, image,
-       {8 * sizeof(Code), SAMPLEFORMAT_UINT, PREDICTOR_HORIZONTAL, icc_profile(image.encoding),
-        image.encoded, [](std::span<const float> values, std::byte* row) {
+       {8 * sizeof(Code), SAMPLEFORMAT_UINT, PREDICTOR_HORIZONTAL,
+        icc_profile(image.encoding, profile), image.encoded,
+        [](std::span<const float> values, std::byte* row) {
           code_values(values, reinterpret_cast<Code*>(row));
         }});
 }
 
-void save_floats(const std::filesystem::path& path, const DisplayImage& image) {
+void save_floats(const std::filesystem::path& path, const DisplayImage& image, IccVersion profile) {
   require_pixels(image.display, image.data, image.linear.size(), 3);
   // No floating-point predictor: some readers reject it.
   save(path, image,
        {32, SAMPLEFORMAT_IEEEFP, PREDICTOR_NONE,
-        icc_profile({image.encoding.space, linear_transfer()}), image.linear,
+        icc_profile({image.encoding.space, linear_transfer()}, profile), image.linear,
         [](std::span<const float> values, std::byte* row) {
           std::memcpy(row, values.data(), values.size_bytes());
         }});
@@ -127,15 +130,16 @@ void save_floats(const std::filesystem::path& path, const DisplayImage& image) {
 
 } // namespace
 
-void write_tiff(const std::filesystem::path& path, const DisplayImage& image, TiffDepth depth) {
+void write_tiff(const std::filesystem::path& path, const DisplayImage& image, TiffDepth depth,
+                IccVersion profile) {
   replace_file(path, [&](const std::filesystem::path& temporary) {
     switch (depth) {
     case TiffDepth::bits8:
-      return save_integers<std::uint8_t>(temporary, image);
+      return save_integers<std::uint8_t>(temporary, image, profile);
     case TiffDepth::bits16:
-      return save_integers<std::uint16_t>(temporary, image);
+      return save_integers<std::uint16_t>(temporary, image, profile);
     case TiffDepth::float32:
-      return save_floats(temporary, image);
+      return save_floats(temporary, image, profile);
     }
   });
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/image/image.h"
+#include "io/images/icc_profile.h"
 
 #include <filesystem>
 
@@ -19,6 +20,7 @@ enum class TiffDepth { bits8, bits16, float32 };
 /// (pixels, relative to the display window; the resolution is 1 without a unit) and in the tags
 /// ImageFullWidth and ImageFullLength; OpenImageIO reads these back as windows.
 /// Errors: `std::runtime_error`, see `replace_file`; the old file is kept.
-void write_tiff(const std::filesystem::path& path, const DisplayImage& image, TiffDepth depth);
+void write_tiff(const std::filesystem::path& path, const DisplayImage& image, TiffDepth depth,
+                IccVersion profile = IccVersion::v4);
 
 } // namespace abbe

@@ -18,9 +18,9 @@
 namespace abbe {
 namespace {
 
-constexpr LibraryWords kWords{"filter", "endfilter"};
+constexpr LibraryWords kLightWords{"filter", "endfilter"};
 
-constexpr std::array<LibraryKey<LightSpectrum>, 2> kKeys{{
+constexpr std::array<LibraryKey<LightSpectrum>, 2> kLightKeys{{
     {"intensity x",
      [](LightSpectrum& light, Arguments& arguments, const Warn&) {
        light.intensity = arguments.number({"a factor on the colour", 0.0, kMostLight});
@@ -44,7 +44,8 @@ std::vector<LightSpectrum> read_lights(const std::filesystem::path& file, const 
 
 std::vector<LightSpectrum> read_lights_text(std::string_view text, const std::string& file,
                                             const Warn& warn) {
-  return read_library(text, file, kWords, std::span<const LibraryKey<LightSpectrum>>(kKeys), warn);
+  return read_library(text, file, kLightWords,
+                      std::span<const LibraryKey<LightSpectrum>>(kLightKeys), warn);
 }
 
 } // namespace abbe

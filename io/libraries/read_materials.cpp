@@ -31,7 +31,7 @@
 namespace abbe {
 namespace {
 
-constexpr LibraryWords kWords{"def", "endmaterial"};
+constexpr LibraryWords kMaterialWords{"def", "endmaterial"};
 
 constexpr Range kFraction{"a fraction of the light", 0.0, 1.0};
 constexpr Range kAmount{"a factor on the colour", 0.0, kMostLight};
@@ -61,7 +61,7 @@ void set_law(LibraryMaterial& entry, Arguments& arguments, const Warn& warn) {
   entry.law = read_law(arguments, warn).law;
 }
 
-constexpr std::array<LibraryKey<LibraryMaterial>, 23> kKeys{{
+constexpr std::array<LibraryKey<LibraryMaterial>, 23> kMaterialKeys{{
     {"reflectivity x", set_fraction<&LibraryMaterial::reflectivity>},
     {"specularExponent e",
      [](LibraryMaterial& entry, Arguments& arguments, const Warn&) {
@@ -217,8 +217,8 @@ std::vector<LibraryMaterial> read_materials(const std::filesystem::path& file, c
 
 std::vector<LibraryMaterial> read_materials_text(std::string_view text, const std::string& file,
                                                  const Warn& warn) {
-  auto entries =
-      read_library(text, file, kWords, std::span<const LibraryKey<LibraryMaterial>>(kKeys), warn);
+  auto entries = read_library(text, file, kMaterialWords,
+                              std::span<const LibraryKey<LibraryMaterial>>(kMaterialKeys), warn);
   for (LibraryMaterial& entry : entries)
     remark_on_limits(entry, warn);
   add_other_names(entries);

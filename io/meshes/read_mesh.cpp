@@ -4,6 +4,7 @@
 
 #include "io/meshes/read_mesh.h"
 
+#include "io/files/gunzip.h"
 #include "io/files/regular_file.h"
 #include "io/meshes/match_normals.h"
 #include "io/meshes/polygons.h"
@@ -22,10 +23,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool is_packed(const fs::path& file) {
+  return same_name(file.extension().string(), ".gz");
+}
+
 /// The whole file, which a token names.
 std::string content_of(const Token& name, const fs::path& file) {
   try {
-    return read_regular_file(file);
+    return mesh_bytes(file);
   } catch (const std::runtime_error& fault) {
     throw ReadError(name.where, fmt::format("\"{}\" cannot be read", file.string()), fault.what(),
                     "Give a file of triangles or polygons, as OBJ, PLY or STL");
@@ -70,11 +75,16 @@ Polygons polygons_of(std::string_view bytes, const fs::path& file, MeshFormat fo
 } // namespace
 
 std::optional<MeshFormat> mesh_format(const fs::path& file) {
-  const std::string extension = file.extension().string();
+  const std::string extension = (is_packed(file) ? file.stem() : file).extension().string();
   for (const auto& [known, format] :
        {std::pair(".obj", MeshFormat::obj), {".ply", MeshFormat::ply}, {".stl", MeshFormat::stl}})
     if (same_name(extension, known)) return format;
   return std::nullopt;
+}
+
+std::string mesh_bytes(const fs::path& file) {
+  std::string bytes = read_regular_file(file);
+  return is_packed(file) ? gunzip(bytes) : bytes;
 }
 
 MendedMesh mesh_of(std::string_view bytes, const fs::path& file, MeshFormat format,

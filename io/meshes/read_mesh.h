@@ -16,8 +16,13 @@ using MeshFiles = std::map<std::filesystem::path, MendedMesh>;
 
 enum class MeshFormat : std::uint8_t { obj, ply, stl };
 
-/// What the extension of the name tells, whatever its case; nothing where no reader knows it.
+/// What the extension of the name tells, whatever its case, and before a .gz behind it; nothing
+/// where no reader knows it.
 [[nodiscard]] std::optional<MeshFormat> mesh_format(const std::filesystem::path& file);
+
+/// The content of a mesh file, unpacked where its name ends in .gz. Throws std::runtime_error with
+/// the reason alone.
+[[nodiscard]] std::string mesh_bytes(const std::filesystem::path& file);
 
 /// The mesh of a file whose content is `bytes`; otherwise as below. Throws ReadError, and
 /// std::invalid_argument where there is no surface.

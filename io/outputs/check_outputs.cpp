@@ -52,11 +52,20 @@ fs::path partial_path(const Outputs& outputs) {
   return fs::path(outputs.images.front()).replace_extension(".partial.exr");
 }
 
-void check_outputs(const Outputs& outputs, std::span<const fs::path> inputs) {
+void check_ocio(const OutputOptions& options) {
+  if (!options.ocio) return;
+  if (options.ocio->config.empty())
+    throw UserError("--ocio-display and --ocio-view need a configuration. Give --ocio FILE");
+  (void)OcioTransform(*options.ocio);
+}
+
+void check_outputs(const Outputs& outputs, std::span<const fs::path> inputs,
+                   std::span<const fs::path> further) {
   check_extensions(outputs);
   std::vector<fs::path> all = outputs.images;
   if (outputs.spectral) all.push_back(*outputs.spectral);
   if (outputs.state) all.push_back(*outputs.state);
+  all.insert(all.end(), further.begin(), further.end());
   std::set<fs::path> places;
   for (const fs::path& path : all) {
     check_place(path);

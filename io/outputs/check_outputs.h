@@ -1,5 +1,7 @@
 #pragma once
 
+#include "io/images/write_image.h"
+
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -20,6 +22,11 @@ struct Outputs {
 /// Finds before the long work what would make writing fail or harm after it. Throws UserError for
 /// a name under which no image can be written, a place that cannot be written to, two files of
 /// one name, and an image that would replace one of the files that the scene was read from.
-void check_outputs(const Outputs& outputs, std::span<const std::filesystem::path> inputs);
+/// `further` are the files that are written beside those that were named.
+void check_outputs(const Outputs& outputs, std::span<const std::filesystem::path> inputs,
+                   std::span<const std::filesystem::path> further = {});
+
+/// Throws UserError where the configuration of OpenColorIO that is asked for cannot be used.
+void check_ocio(const OutputOptions& options);
 
 } // namespace abbe

@@ -2,40 +2,59 @@
 
 #include "core/image/develop.h"
 #include "core/image/metadata.h"
-#include "core/image/relight.h"
 #include "io/console/terminal.h"
-#include "io/images/write_exr.h"
+#include "io/outputs/output_names.h"
 #include "io/outputs/picture_warnings.h"
 #include "io/outputs/write_each.h"
-#include "io/outputs/write_layer_files.h"
+#include "io/outputs/write_film_exr.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace abbe {
 namespace {
 
+DisplayImage by_ocio(const Film& film, const Plan& plan, const OcioTransform& ocio,
+                     const DisplaySettings& settings) {
+  SceneLinearImage linear = develop_scene_linear(
+      film, plan, ocio.space(), FilmPart{.window = film.window(), .colors_only = true});
+  linear.metadata = render_metadata(plan);
+  return ocio_picture(ocio, linear, settings);
+}
+
 DisplayImage display_picture(const Rendering& rendering, const Plan& plan,
-                             const DisplaySettings& settings) {
-  DisplayImage image = develop_display(rendering.film, plan, settings);
+                             const std::optional<OcioLook>& ocio, const DisplaySettings& settings) {
+  DisplayImage image = ocio ? by_ocio(rendering.film, plan, OcioTransform(*ocio), settings)
+                            : develop_display(rendering.film, plan, settings);
   say_warning(warning_of_exposure(rendering.film, image));
   return image;
 }
 
-/// The bands of each group of lights under light of equal energy: NAME.light.GROUP.exr.
-bool write_cubes(const Film& film, const Plan& plan, const Outputs& outputs, bool quiet) {
+/// The EXRs of the rendering, but for that of all bands.
+std::vector<OutputJob> exr_jobs(const FilmExrs& exrs, const Plan& plan, const Outputs& outputs,
+                                const OutputOptions& options) {
   std::vector<OutputJob> jobs;
-  for (const std::string& group : plan.light_groups) {
-    std::filesystem::path file = outputs.images.front();
-    file.replace_extension(".light." + group + ".exr");
-    jobs.push_back({file, [&film, &plan, &group, file] {
-                      write_spectral_exr(file, film.window(), [&](const PixelWindow& rows) {
-                        return develop_unit(film, plan, group, rows);
-                      });
-                      return std::string();
-                    }});
+  std::vector<std::string> layers;
+  if (options.layer_files) layers = exrs.layers();
+  for (const std::filesystem::path& path : outputs.images) {
+    if (!is_scene_linear_extension(path)) continue;
+    for (const std::string& layer : layers) {
+      const std::filesystem::path file = layer_file(path, layer);
+      jobs.push_back({file, [&exrs, file, layer] { return exrs.write_layer(file, layer); }});
+    }
+    jobs.push_back({path, [&exrs, path] { return exrs.write_picture(path); }});
+    for (int band = 0; band < plan.grid.count() && plan.settings.band_images; ++band) {
+      const std::filesystem::path file = band_file(path, band);
+      jobs.push_back({file, [&exrs, file, band] { return exrs.write_band(file, band); }});
+    }
   }
-  return write_each(jobs, quiet);
+  for (const std::string& group : plan.light_groups) {
+    if (!plan.settings.relightable) break;
+    const std::filesystem::path file = cube_file(outputs, group);
+    jobs.push_back({file, [&exrs, file, group] { return exrs.write_unit(file, group); }});
+  }
+  return jobs;
 }
 
 } // namespace
@@ -43,35 +62,22 @@ bool write_cubes(const Film& film, const Plan& plan, const Outputs& outputs, boo
 bool write_outputs(const Rendering& rendering, const Plan& plan, const Outputs& outputs,
                    const OutputOptions& options, const DisplaySettings& display_settings,
                    bool quiet) {
-  const auto write_all = [&](bool scene_linear, const SceneLinearImage& linear,
-                             const DisplayImage& display) {
-    std::vector<OutputJob> jobs;
-    for (const std::filesystem::path& path : outputs.images)
-      if (is_scene_linear_extension(path) == scene_linear)
-        jobs.push_back({path, [&, path] { return write_image(path, linear, display, options); }});
-    return write_each(jobs, quiet);
-  };
   bool all = true;
-  if (std::ranges::any_of(outputs.images, is_scene_linear_extension)) {
-    SceneLinearImage image = develop_scene_linear(rendering.film, plan, options.exr_space);
-    if (options.layer_files) all = write_layer_files(image, outputs, options, quiet);
-    all = write_all(true, image, {}) && all;
+  const bool has_exr = std::ranges::any_of(outputs.images, is_scene_linear_extension);
+  if (has_exr || plan.settings.relightable || outputs.spectral) {
+    const FilmExrs exrs(rendering.film, plan, options);
+    std::vector<OutputJob> jobs = exr_jobs(exrs, plan, outputs, options);
+    if (outputs.spectral)
+      jobs.push_back({*outputs.spectral, [&] { return exrs.write_bands(*outputs.spectral); }});
+    all = write_each(jobs, quiet);
   }
-  if (!std::ranges::all_of(outputs.images, is_scene_linear_extension))
-    all = write_all(false, {}, display_picture(rendering, plan, display_settings)) && all;
-  if (plan.settings.relightable) all = write_cubes(rendering.film, plan, outputs, quiet) && all;
-  if (!outputs.spectral) return all;
-  const auto write_spectral = [&] {
-    const Metadata lost = lost_metadata(rendering.film); // found once, not for each block of rows
-    const auto develop = [&](const PixelWindow& rows) {
-      SpectralImage image = develop_spectral(rendering.film, plan, rows);
-      image.metadata.insert(image.metadata.end(), lost.begin(), lost.end());
-      return image;
-    };
-    write_spectral_exr(*outputs.spectral, rendering.film.window(), develop);
-    return std::string();
-  };
-  return write_each({{*outputs.spectral, write_spectral}}, quiet) && all;
+  if (std::ranges::all_of(outputs.images, is_scene_linear_extension)) return all;
+  const DisplayImage display = display_picture(rendering, plan, options.ocio, display_settings);
+  std::vector<OutputJob> jobs;
+  for (const std::filesystem::path& path : outputs.images)
+    if (!is_scene_linear_extension(path))
+      jobs.push_back({path, [&, path] { return write_image(path, {}, display, options); }});
+  return write_each(jobs, quiet) && all;
 }
 
 } // namespace abbe

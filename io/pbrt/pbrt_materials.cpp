@@ -82,6 +82,10 @@ PbrtMaterial read_conductor(PbrtState& state, PbrtParameters& parameters) {
 
 } // namespace
 
+PbrtMaterial default_pbrt_material() {
+  return {diffuse_material({Curve::constant(0.5), std::nullopt})};
+}
+
 PbrtMaterial read_pbrt_material(PbrtState& state, const SourcePosition& where,
                                 const std::string& type, PbrtParameters& parameters) {
   parameters.ignore({"type"});
@@ -154,9 +158,11 @@ void read_pbrt_texture(PbrtState& state, const SourcePosition& where, PbrtParame
     const PbrtParameter* file = parameters.find("filename");
     if (!file || file->strings.size() != 1)
       throw ReadError(where, "imagemap has no filename", "it names a picture", "Add it");
-    const Token token{TokenKind::quoted, file->strings[0], file->where};
-    const std::filesystem::path path =
-        std::filesystem::path(file->where.file).parent_path() / file->strings[0];
+    const std::filesystem::path path = state.folder / file->strings[0];
+    // The reader of pictures finds names from the folder of the file that names them.
+    const std::filesystem::path from = std::filesystem::path(file->where.file).parent_path();
+    const std::string name = path.lexically_relative(from).string();
+    const Token token{TokenKind::quoted, name.empty() ? path.string() : name, file->where};
     state.files.push_back(path);
     texture.pattern =
         ImageTexture{state.builder.add_image(path, [&] { return read_image(token, state.warn); })};

@@ -4,7 +4,6 @@
 //   Shape "trianglemesh" "point3 P" [ ... ] "integer indices" [ 0 1 2  0 2 3 ]
 
 #include "geometry/meshes/close_mesh.h"
-#include "io/files/regular_file.h"
 #include "io/meshes/match_normals.h"
 #include "io/meshes/read_mesh.h"
 #include "io/pbrt/pbrt_state.h"
@@ -35,7 +34,7 @@ dvec3 moved(const dmat4& m, const dvec3& p) {
 /// The material that a shape has now: the current one, with light of its own where it is an area
 /// light, and with what the medium inside takes.
 ShapeMaterial current(const PbrtState& state) {
-  ShapeMaterial material = state.now.material ? state.now.material->shape : default_material();
+  ShapeMaterial material = state.now.material->shape;
   if (state.now.emission) {
     material.finish.emission = *state.now.emission;
     material.finish.emits_behind = state.now.two_sided;
@@ -46,7 +45,7 @@ ShapeMaterial current(const PbrtState& state) {
 }
 
 bool fills(const PbrtState& state) {
-  return state.now.material && state.now.material->fills;
+  return state.now.material->fills;
 }
 
 /// Four corners of two triangles, u and v going from 0 to 1 along its edges.
@@ -224,16 +223,15 @@ void read_bilinear_mesh(PbrtState& state, const SourcePosition& where, PbrtParam
 
 void read_ply_mesh(PbrtState& state, const SourcePosition& where, PbrtParameters& parameters) {
   const std::string name = parameters.string("filename", "");
-  const std::filesystem::path file = std::filesystem::path(where.file).parent_path() / name;
+  const std::filesystem::path file = state.folder / name;
   const auto format = mesh_format(file);
   if (format != MeshFormat::ply)
     throw ReadError(where, fmt::format("\"{}\" is no PLY file", name),
-                    "its name does not end in .ply",
-                    "Give a .ply file; gunzip FILE.ply.gz makes one of a compressed file");
+                    "its name ends neither in .ply nor in .ply.gz", "Give such a file");
   parameters.ignore({"displacement", "edgelength"});
   state.files.push_back(file);
   try {
-    const MendedMesh read = mesh_of(read_regular_file(file), file, *format, state.warn);
+    const MendedMesh read = mesh_of(mesh_bytes(file), file, *format, state.warn);
     if (fills(state) && !read.mesh.is_closed()) throw open_mesh_error(where, read.open);
     if (state.now.reversed && !read.mesh.is_closed())
       refuse(state, where, "ReverseOrientation of an open PLY mesh",
@@ -315,7 +313,7 @@ void read_cylinder(PbrtState& state, const SourcePosition& where, PbrtParameters
 
 void read_pbrt_shape(PbrtState& state, const SourcePosition& where, const std::string& type,
                      PbrtParameters& parameters) {
-  if (state.now.material && state.now.material->nothing && !state.now.emission) return;
+  if (state.now.material->nothing && !state.now.emission) return;
   if (const PbrtParameter* alpha = parameters.find("alpha");
       alpha && alpha->numbers != std::vector{1.0})
     refuse(state, alpha->where, "alpha of a shape", "shapes are whole");

@@ -88,12 +88,11 @@ Curve pairs(const PbrtParameter& parameter) {
 }
 
 Curve spectrum_of_file(PbrtState& state, const PbrtParameter& parameter) {
-  const std::filesystem::path file =
-      std::filesystem::path(parameter.where.file).parent_path() / parameter.strings[0];
+  const std::filesystem::path file = state.folder / parameter.strings[0];
   std::error_code error;
   if (!std::filesystem::exists(file, error))
     throw ReadError(parameter.where, fmt::format("unknown spectrum \"{}\"", parameter.strings[0]),
-                    "it is no name that is known, and no file beside the scene",
+                    "it is no name that is known, and no file found from the scene's folder",
                     "stdillum-D65, glass-BK7 and metal-Cu-eta are such names");
   state.files.push_back(file);
   MeasuredSpectrum found = read_spectrum_text(read_text_file(file), file, state.warn);

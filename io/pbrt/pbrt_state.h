@@ -2,7 +2,7 @@
 
 #include "io/building/scene_builder.h"
 #include "io/pbrt/pbrt_parameters.h"
-#include "io/pbrt/strictness.h"
+#include "io/building/strictness.h"
 #include "io/scene_language/input_files.h"
 #include "spectral/curve.h"
 
@@ -70,6 +70,7 @@ struct PbrtState {
   Warn warn;
   Strictness strictness = Strictness::strict;
   InputFiles files;
+  std::filesystem::path folder; ///< of the main file, from which all names of files are found
 
   bool in_world = false;
   glm::dmat4 to_ours{1.0}; ///< mirrors a world whose camera sees it mirrored
@@ -111,6 +112,9 @@ void refuse_unused(const PbrtState& state, const PbrtParameters& parameters);
 /// The index of a glass: a number, a spectrum or a name.
 [[nodiscard]] Dispersion read_index(PbrtState& state, PbrtParameters& parameters,
                                     std::string_view name, double otherwise);
+
+/// What shapes are made of before a Material is given: diffuse, of reflectance 0.5.
+[[nodiscard]] PbrtMaterial default_pbrt_material();
 
 // Directives with their own files.
 [[nodiscard]] PbrtMaterial read_pbrt_material(PbrtState& state, const SourcePosition& where,

@@ -152,7 +152,7 @@ void read_object_instance(const Statement& s) {
 
 void read_include(const Statement& s) {
   const std::string name = s.string();
-  const std::filesystem::path file = std::filesystem::path(s.where.file).parent_path() / name;
+  const std::filesystem::path file = s.state.folder / name;
   if (s.nesting >= kMostNesting)
     throw ReadError(s.where, "files include each other without end",
                     fmt::format("{} of them are open", s.nesting), "Remove one of the includes");
@@ -241,6 +241,8 @@ Scene read(std::string_view text, const std::filesystem::path& file, const Warn&
            InputFiles* files, Strictness strictness) {
   PbrtState state;
   state.scene.title = file.stem().string();
+  state.folder = file.parent_path();
+  state.now.material = std::make_shared<const PbrtMaterial>(default_pbrt_material());
   state.warn = warn ? warn : [](const std::string&) {};
   state.strictness = strictness;
   state.scene.settings.integrator = Integrator::path;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene/scene.h"
-#include "io/pbrt/strictness.h"
+#include "io/building/strictness.h"
 #include "io/scene_language/input_files.h"
 #include "io/text/read_error.h"
 

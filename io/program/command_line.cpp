@@ -26,6 +26,28 @@ std::vector<std::string> given_options(const CLI::App& app) {
   return names;
 }
 
+OptionFacts facts_of(const CLI::Option& option) {
+  OptionFacts facts{{}, option.get_type_name(), option.get_description(), false};
+  for (const std::string& name : option.get_snames())
+    facts.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames())
+    facts.names.push_back("--" + name);
+  facts.positional = facts.names.empty();
+  if (facts.positional) facts.names.push_back(option.get_name());
+  return facts;
+}
+
+std::vector<CommandFacts> facts_of(const CLI::App& program) {
+  std::vector<CommandFacts> commands;
+  for (const CLI::App* app : program.get_subcommands([](const CLI::App*) { return true; })) {
+    CommandFacts& command =
+        commands.emplace_back(CommandFacts{app->get_name(), app->get_description(), {}});
+    for (const CLI::Option* option : app->get_options())
+      command.options.push_back(facts_of(*option));
+  }
+  return commands;
+}
+
 template <class Kind>
 void add_command(CLI::App& app, std::vector<Entry>& entries) {
   if constexpr (requires { Kind::kName; }) {
@@ -35,6 +57,8 @@ void add_command(CLI::App& app, std::vector<Entry>& entries) {
     entries.push_back({own, [kind]([[maybe_unused]] const CLI::App& parsed) {
                          if constexpr (requires { kind->given; })
                            kind->given = given_options(parsed);
+                         if constexpr (requires { kind->commands; })
+                           kind->commands = facts_of(*parsed.get_parent());
                          return Command(*kind);
                        }});
   }

@@ -1,5 +1,6 @@
 #include "io/scene_files/read_scene_file.h"
 
+#include "io/gltf/read_gltf.h"
 #include "io/pbrt/read_pbrt.h"
 #include "io/scene_language/read_scene.h"
 #include "spectral/data_table.h"
@@ -29,9 +30,16 @@ Scene read_pbrt_scene(const std::filesystem::path& file, const Warn& warn, Input
   return read_pbrt(file, warn, files, strictness);
 }
 
+Scene read_gltf_scene(const std::filesystem::path& file, const Warn& warn, InputFiles* files,
+                      GivenKeywords*, Strictness strictness) {
+  return read_gltf(file, warn, files, strictness);
+}
+
 constexpr std::array kFormats = {
     SceneFormat{".sdl", read_sdl},
     SceneFormat{".pbrt", read_pbrt_scene},
+    SceneFormat{".glb", read_gltf_scene},
+    SceneFormat{".gltf", read_gltf_scene},
 };
 
 } // namespace

@@ -2,7 +2,7 @@
 
 #include "core/scene/scene.h"
 #include "io/building/setting_effects.h"
-#include "io/pbrt/strictness.h"
+#include "io/building/strictness.h"
 #include "io/scene_language/input_files.h"
 #include "io/text/read_error.h"
 
@@ -20,7 +20,7 @@ namespace abbe {
                                     InputFiles* files = nullptr, GivenKeywords* given = nullptr,
                                     Strictness strictness = Strictness::strict);
 
-/// ".sdl or .pbrt", for messages and help; several are joined by commas and "or".
+/// ".sdl, .pbrt, .glb or .gltf", for messages and help; several are joined by commas and "or".
 [[nodiscard]] std::string known_scene_extensions();
 
 } // namespace abbe

@@ -20,7 +20,8 @@
 namespace abbe {
 namespace {
 
-constexpr int kDeepest = 200; ///< booleans inside each other; more would exhaust the call stack
+constexpr int kDeepestBoolean =
+    200; ///< booleans inside each other; more would exhaust the call stack
 
 bool is_complete(const SceneState& state, const BooleanScope& scope) {
   return scope.operands.size() == 2 && state.pushed.size() == scope.push_depth;
@@ -43,9 +44,9 @@ CsgTree read_operands(SceneState& state, const Arguments& arguments, CsgOperatio
   scope.filling = filling;
   scope.push_depth = state.pushed.size();
   scope.depth = depth_of(state);
-  if (scope.depth > kDeepest)
+  if (scope.depth > kDeepestBoolean)
     throw ReadError(where, "too many booleans inside each other",
-                    fmt::format("at most {} are read", kDeepest), "Combine fewer solids");
+                    fmt::format("at most {} are read", kDeepestBoolean), "Combine fewer solids");
 
   state.boolean = &scope;
   while (!is_complete(state, scope))
@@ -70,7 +71,7 @@ void read_boolean(SceneState& state, Arguments& arguments) {
   state.transform = to_world.after(state.transform);
 }
 
-constexpr std::array kKeywords{
+constexpr std::array kBooleanKeywords{
     SceneKeyword{"lens", read_boolean<CsgOperation::intersect>, true},
     SceneKeyword{"intersection", read_boolean<CsgOperation::intersect>, true},
     SceneKeyword{"union", read_boolean<CsgOperation::unite>, true},
@@ -124,7 +125,7 @@ void check_operands(const SceneState& state, const Token& next) {
 }
 
 std::span<const SceneKeyword> boolean_keywords() {
-  return kKeywords;
+  return kBooleanKeywords;
 }
 
 } // namespace abbe

@@ -29,7 +29,7 @@ void read_field_of_view(SceneState& state, Arguments& arguments) {
       arguments.number({"the picture's height as an angle, in degrees", 0.0, 180.0, true});
 }
 
-constexpr std::array kKeywords{
+constexpr std::array kCameraKeywords{
     SceneKeyword{"eye x y z", read_eye},
     SceneKeyword{"lookAt x y z", read_camera<&Camera::look_at>},
     SceneKeyword{"up x y z", read_camera<&Camera::up>},
@@ -39,7 +39,7 @@ constexpr std::array kKeywords{
 } // namespace
 
 std::span<const SceneKeyword> camera_keywords() {
-  return kKeywords;
+  return kCameraKeywords;
 }
 
 } // namespace abbe

@@ -140,7 +140,7 @@ void finish_thin_lens(SceneState& state) {
       360.0 / std::numbers::pi * std::atan(0.5 * *given.film_height_mm / film_distance);
 }
 
-constexpr std::array kKeywords{
+constexpr std::array kCameraLensKeywords{
     SceneKeyword{"aperture diameter", read_aperture},
     SceneKeyword{"fNumber N", read_f_number},
     SceneKeyword{"focalLength mm", read_focal_length},
@@ -154,7 +154,7 @@ constexpr std::array kKeywords{
 } // namespace
 
 std::span<const SceneKeyword> camera_lens_keywords() {
-  return kKeywords;
+  return kCameraLensKeywords;
 }
 
 void finish_camera_lens(SceneState& state) {

@@ -60,7 +60,7 @@ void read_drop_sun(SceneState& state, Arguments& arguments) {
   drops.sun_radius = radius * std::numbers::pi / 180.0;
 }
 
-constexpr std::array kKeywords{
+constexpr std::array kDropKeywords{
     SceneKeyword{"drops x", read_drops, true},
     SceneKeyword{"dropIndex n | water | GLASS", read_drop_index, true},
     SceneKeyword{"dropSun angle", read_drop_sun, true},
@@ -69,7 +69,7 @@ constexpr std::array kKeywords{
 } // namespace
 
 std::span<const SceneKeyword> drop_keywords() {
-  return kKeywords;
+  return kDropKeywords;
 }
 
 } // namespace abbe

@@ -67,7 +67,7 @@ void read_cemented(SceneState& state, Arguments& arguments) {
   }
 }
 
-constexpr std::array kKeywords{
+constexpr std::array kLensKeywords{
     SceneKeyword{"lensElement R1 R2 thickness diameter [z]", read_lens_element, true},
     SceneKeyword{"cemented n diameter R1 GLASS thickness R2 ...", read_cemented},
 };
@@ -75,7 +75,7 @@ constexpr std::array kKeywords{
 } // namespace
 
 std::span<const SceneKeyword> lens_keywords() {
-  return kKeywords;
+  return kLensKeywords;
 }
 
 } // namespace abbe

@@ -4,7 +4,7 @@
 //   light 2a  0 5 0  1                         ! thesis: name, position, 1 = at that position
 //   light D65  1 2 0  0                        ! 0 = from that direction, parallel
 //   falloff square
-//   intensity 40
+//   intensity 40                       ! or lumen 800, candela 60, watt 5, lux 10000
 //   softEdge 0.5
 //   sunRadius 0.2665
 //   sun 1 3 2                          ! the direction it comes from; or: sun 1 3 2 D65
@@ -48,7 +48,8 @@ dvec3 world_position(const SceneState& state, Arguments& arguments, const dvec3&
 
 void add_light(SceneState& state, const Arguments& arguments, std::string name,
                const Curve& spectrum, const LightKind& kind) {
-  Light light{std::move(name), spectrum.scaled(state.light.intensity), kind, state.light.group};
+  Light light{std::move(name), spectrum, kind, state.light.group};
+  set_strength(arguments.keyword().where, light, state.light.strength, state.scene.mm_per_unit);
   note_light(state.given, light, arguments.keyword().where);
   state.builder.add_light(std::move(light), state.light.given);
 }
@@ -179,7 +180,14 @@ void read_falloff(SceneState& state, Arguments& arguments) {
 }
 
 void read_intensity(SceneState& state, Arguments& arguments) {
-  state.light.intensity = arguments.number({"a factor on the lights that follow", 0.0, kMostLight});
+  state.light.strength = {arguments.number({"a factor on the lights that follow", 0.0, kMostLight}),
+                          LightUnit::factor};
+}
+
+template <LightUnit unit>
+void read_strength(SceneState& state, Arguments& arguments) {
+  state.light.strength = {
+      arguments.number({"the strength of the lights that follow", 0.0, kMostLight}), unit};
 }
 
 void read_soft_edge(SceneState& state, Arguments& arguments) {
@@ -187,7 +195,7 @@ void read_soft_edge(SceneState& state, Arguments& arguments) {
       arguments.number({"the width of a spotlight's edge, in degrees", 0.0, 90.0});
 }
 
-constexpr std::array kKeywords{
+constexpr std::array kLightKeywords{
     SceneKeyword{"light x y z r g b | NAME x y z LOCALITY", read_light},
     SceneKeyword{"spotlight NAME x y z LOCALITY dx dy dz angle", read_spotlight},
     SceneKeyword{"sun x y z [SPECTRUM]", read_sun},
@@ -195,13 +203,17 @@ constexpr std::array kKeywords{
     SceneKeyword{"environment FILE [SPECTRUM] [factor]", read_environment_picture},
     SceneKeyword{"falloff none|square", read_falloff},
     SceneKeyword{"intensity x", read_intensity},
+    SceneKeyword{"candela x", read_strength<LightUnit::candela>},
+    SceneKeyword{"lumen x", read_strength<LightUnit::lumen>},
+    SceneKeyword{"watt x", read_strength<LightUnit::watt>},
+    SceneKeyword{"lux x", read_strength<LightUnit::lux>},
     SceneKeyword{"softEdge angle", read_soft_edge},
 };
 
 } // namespace
 
 std::span<const SceneKeyword> light_keywords() {
-  return kKeywords;
+  return kLightKeywords;
 }
 
 } // namespace abbe

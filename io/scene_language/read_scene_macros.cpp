@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kDeepest = 200; ///< more inside each other would exhaust the call stack
+constexpr std::size_t kDeepestMacro = 200; ///< more inside each other would exhaust the call stack
 /// All words that macros and included files bring; each may be a shape of some hundred bytes.
 constexpr std::size_t kMostExpanded = 10'000'000;
 
@@ -76,9 +76,9 @@ void read_statements(SceneState& state, TokenReader reader, const std::string& n
 }
 
 void check_depth(const SceneState& state, const SourcePosition& where) {
-  if (state.open_macros.size() + state.open_files.size() > kDeepest)
+  if (state.open_macros.size() + state.open_files.size() > kDeepestMacro)
     throw ReadError(where, "too many macros and files inside each other",
-                    fmt::format("at most {} are read", kDeepest), "Nest fewer of them");
+                    fmt::format("at most {} are read", kDeepestMacro), "Nest fewer of them");
 }
 
 /// Counts the words that `what` brings, before they are read.
@@ -144,7 +144,7 @@ void read_include(SceneState& state, Arguments& arguments) {
   open.pop_back();
 }
 
-constexpr std::array kKeywords{
+constexpr std::array kMacroKeywords{
     SceneKeyword{"def NAME { ... }", read_def, true},
     SceneKeyword{"use NAME", read_use, true},
     SceneKeyword{"include FILE", read_include, true},
@@ -153,7 +153,7 @@ constexpr std::array kKeywords{
 } // namespace
 
 std::span<const SceneKeyword> macro_keywords() {
-  return kKeywords;
+  return kMacroKeywords;
 }
 
 } // namespace abbe

@@ -11,11 +11,13 @@
 //
 //   thinGlass 4 N-BK7                  ! a window of 4 mm, of which this is all
 
+#include "core/scene/quantity_limits.h"
 #include "io/libraries/read_absorption.h"
 #include "io/libraries/read_dispersion.h"
 #include "io/libraries/read_glass.h"
 #include "io/libraries/read_spectrum.h"
 #include "io/scene_language/read_scene_state.h"
+#include "spectral/observer.h"
 #include "spectral/rgb_spectrum.h"
 
 #include <fmt/format.h>
@@ -53,6 +55,20 @@ void read_emissive(SceneState& state, Arguments& arguments) {
   state.material.finish.emission = read_emission(state, arguments);
 }
 
+/// The luminance of what the surface gives off.
+void read_nit(SceneState& state, Arguments& arguments) {
+  require_unmixed(state, arguments);
+  const double luminance =
+      arguments.number({"a luminance in candela per square metre", 0.0, kMostLight});
+  Curve& emission = state.material.finish.emission;
+  const double y = to_xyz(emission).y;
+  if (!(y > 0.0))
+    throw ReadError(arguments.keyword().where, "nit stands where nothing is given off",
+                    "it says how bright the light of emissive is",
+                    "Give emissive before it, such as emissive D65");
+  emission = emission.scaled(luminance / y);
+}
+
 void read_emissive_sides(SceneState& state, Arguments& arguments) {
   require_unmixed(state, arguments);
   state.material.finish.emits_behind = arguments.choice<bool>({{"both", true}, {"front", false}});
@@ -64,9 +80,18 @@ void read_exponent(SceneState& state, Arguments& arguments) {
       arguments.number({"the exponent of the highlight", 0.0, 1e9});
 }
 
+/// A share of light, one number or by wavelength.
+Curve read_share(SceneState& state, Arguments& arguments) {
+  if (!name_follows(arguments) || !is_spectrum_file(arguments.reader().peek().text))
+    return Curve::constant(arguments.number(kFraction));
+  const Token file = arguments.name_token("the name of a file");
+  add_input(state.files, file);
+  return read_reflectance(file, state.warn);
+}
+
 void read_reflectivity(SceneState& state, Arguments& arguments) {
   require_unmixed(state, arguments);
-  state.material.finish.reflectivity = Curve::constant(arguments.number(kFraction));
+  state.material.finish.reflectivity = read_share(state, arguments);
 }
 
 void read_speed_of_light(SceneState& state, Arguments& arguments) {
@@ -141,11 +166,11 @@ void read_metal_mirror(SceneState& state, Arguments& arguments) {
 /// A metal lets no light in.
 void read_transparency(SceneState& state, Arguments& arguments) {
   require_unmixed(state, arguments);
-  const double share = arguments.number(kFraction);
-  if (state.material.finish.metal && share > 0.0)
+  const Curve share = read_share(state, arguments);
+  if (state.material.finish.metal && !share.zero())
     throw ReadError(arguments.keyword().where, "transparency does not go with metal",
                     "what a metal does not reflect it takes in", "Give a glass, or remove it");
-  state.material.finish.transparency = Curve::constant(share);
+  state.material.finish.transparency = share;
 }
 
 void read_use_material(SceneState& state, Arguments& arguments) {
@@ -158,16 +183,17 @@ void read_priority(SceneState& state, Arguments& arguments) {
   state.priority = static_cast<int>(arguments.whole_number({"a rank", -kMost, kMost}));
 }
 
-constexpr std::array kKeywords{
+constexpr std::array kMaterialKeywords{
     SceneKeyword{"UseMaterial NAME", read_use_material, true},
     SceneKeyword{"ambient r g b | FILE", read_part<&Material::ambient>, true},
     SceneKeyword{"diffuse r g b | FILE", read_part<&Material::diffuse>, true},
     SceneKeyword{"specular r g b | FILE", read_part<&Material::specular>, true},
     SceneKeyword{"emissive r g b | SPECTRUM [factor]", read_emissive, true},
+    SceneKeyword{"nit x", read_nit, true},
     SceneKeyword{"emissiveSides both|front", read_emissive_sides, true},
     SceneKeyword{"specularExponent e", read_exponent, true},
-    SceneKeyword{"reflectivity x", read_reflectivity, true},
-    SceneKeyword{"transparency x", read_transparency, true},
+    SceneKeyword{"reflectivity x | FILE", read_reflectivity, true},
+    SceneKeyword{"transparency x | FILE", read_transparency, true},
     SceneKeyword{"speedOfLight n", read_speed_of_light, true},
     SceneKeyword{"vnum v", read_vnum, true},
     SceneKeyword{"fresnel on|off", read_fresnel, true},
@@ -220,7 +246,7 @@ CurrentMaterial read_clear_glass(SceneState& state, Arguments& arguments) {
 }
 
 std::span<const SceneKeyword> material_keywords() {
-  return kKeywords;
+  return kMaterialKeywords;
 }
 
 } // namespace abbe

@@ -36,7 +36,7 @@ void read_mix(SceneState& state, Arguments& arguments) {
   state.material = state.builder.mix(where, first, second, share);
 }
 
-constexpr std::array kKeywords{
+constexpr std::array kMixtureKeywords{
     SceneKeyword{"defMaterial NAME", read_def_material, true},
     SceneKeyword{"mix FIRST SECOND share", read_mix, true},
 };
@@ -59,7 +59,7 @@ void require_unmixed(const SceneState& state, const Arguments& arguments) {
 }
 
 std::span<const SceneKeyword> mixture_keywords() {
-  return kKeywords;
+  return kMixtureKeywords;
 }
 
 } // namespace abbe

@@ -24,7 +24,7 @@ void read_light_group(SceneState& state, Arguments& arguments) {
   state.light.group = name_or_none(arguments, "the group of the lights that follow, or none");
 }
 
-constexpr std::array kKeywords{
+constexpr std::array kNameKeywords{
     SceneKeyword{"objectName NAME|none", read_object_name},
     SceneKeyword{"lightGroup NAME|none", read_light_group},
 };
@@ -32,7 +32,7 @@ constexpr std::array kKeywords{
 } // namespace
 
 std::span<const SceneKeyword> name_keywords() {
-  return kKeywords;
+  return kNameKeywords;
 }
 
 } // namespace abbe

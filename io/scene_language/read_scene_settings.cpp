@@ -38,7 +38,7 @@ void read_glass_catalogue(SceneState& state, Arguments& arguments) {
   add_glasses(state.libraries, arguments.name_token("the name of a file"), state.warn);
 }
 
-constexpr std::array kKeywords{
+constexpr std::array kSettingKeywords{
     SceneKeyword{"background r g b | SPECTRUM [factor]", read_background},
     SceneKeyword{"globalAmbient r g b | SPECTRUM [factor]", read_global_ambient},
     SceneKeyword{"unit mm|cm|m|in|um", read_unit},
@@ -50,7 +50,7 @@ constexpr std::array kKeywords{
 } // namespace
 
 std::span<const SceneKeyword> setting_keywords() {
-  return kKeywords;
+  return kSettingKeywords;
 }
 
 } // namespace abbe

@@ -83,7 +83,7 @@ void read_triangles(SceneState& state, Arguments& arguments) {
   place_shape(state, where, read.mesh, state.transform, state.material);
 }
 
-constexpr std::array kKeywords{
+constexpr std::array kShapeKeywords{
     SceneKeyword{"sphere", read_sphere, true},
     SceneKeyword{"cube", read_cube, true},
     SceneKeyword{"prism", read_prism, true},
@@ -100,7 +100,7 @@ constexpr std::array kKeywords{
 } // namespace
 
 std::span<const SceneKeyword> shape_keywords() {
-  return kKeywords;
+  return kShapeKeywords;
 }
 
 } // namespace abbe

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scene/scene.h"
+#include "io/building/light_units.h"
 #include "io/building/scene_builder.h"
 #include "io/building/setting_effects.h"
 #include "io/meshes/read_mesh.h"
@@ -26,7 +27,7 @@ using CurrentMaterial = ShapeMaterial;
 /// What applies to the lights that follow.
 struct CurrentLight {
   Falloff falloff = Falloff::none;
-  double intensity = 1.0;
+  LightStrength strength;
   double soft_edge_deg = 0.0;
   double sun_radius = SunLight().angular_radius;
   std::string group;   ///< "": by the light's name

@@ -36,7 +36,7 @@ void read_coat(SceneState& state, Arguments& arguments) {
   state.material.finish.coat = read_index(state, arguments);
 }
 
-constexpr std::array kKeywords{
+constexpr std::array kSurfaceKeywords{
     SceneKeyword{"roughness x", read_roughness, true},
     SceneKeyword{"compensation on|off", read_compensation, true},
     SceneKeyword{"thinFilm thickness n|GLASS", read_thin_film, true},
@@ -46,7 +46,7 @@ constexpr std::array kKeywords{
 } // namespace
 
 std::span<const SceneKeyword> surface_keywords() {
-  return kKeywords;
+  return kSurfaceKeywords;
 }
 
 } // namespace abbe

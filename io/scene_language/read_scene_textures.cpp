@@ -63,7 +63,7 @@ void read_image_texture(SceneState& state, Arguments& arguments) {
   state.material.finish.texture = ImageTexture{image};
 }
 
-constexpr std::array kKeywords{
+constexpr std::array kTextureKeywords{
     SceneKeyword{"checker nu nv FIRST SECOND", read_checker, true},
     SceneKeyword{"grid nu nv width LINES FIELDS", read_grid, true},
     SceneKeyword{"imageTexture FILE", read_image_texture, true},
@@ -72,7 +72,7 @@ constexpr std::array kKeywords{
 } // namespace
 
 std::span<const SceneKeyword> texture_keywords() {
-  return kKeywords;
+  return kTextureKeywords;
 }
 
 } // namespace abbe

@@ -70,7 +70,7 @@ void read_scale(SceneState& state, Arguments& arguments) {
   apply(state, Transform::scaling(factors));
 }
 
-constexpr std::array kKeywords{
+constexpr std::array kTransformKeywords{
     SceneKeyword{"push", read_push, true},
     SceneKeyword{"pop", read_pop, true},
     SceneKeyword{"translate x y z", read_translate, true},
@@ -81,7 +81,7 @@ constexpr std::array kKeywords{
 } // namespace
 
 std::span<const SceneKeyword> transform_keywords() {
-  return kKeywords;
+  return kTransformKeywords;
 }
 
 } // namespace abbe

@@ -136,7 +136,7 @@ void StateReader::read_film_form(const std::string& content) {
   refused_.negative = in.get<std::uint64_t>();
   refused_.overflow = in.get<std::uint64_t>();
   const std::size_t count = in.length(1);
-  require(count < 255, "the number of layers");
+  require(count < 65535, "the number of layers");
   for (std::size_t i = 0; i < count; ++i)
     layers_.push_back(get_form(in));
   in.end();

@@ -9,8 +9,11 @@ namespace abbe {
 std::string json_string(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    if (c == '"' || c == '\\' || c == '\n') result += '\\';
+    if (c == '\n')
+      result += 'n';
+    else
+      result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
   }
   return result + '"';
 }

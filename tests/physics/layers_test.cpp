@@ -3,9 +3,11 @@
 
 #include "core/film/part_layers.h"
 #include "core/image/develop.h"
+#include "spectral/observer.h"
 #include "tests/catch.h"
 #include "tests/render_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -48,7 +50,8 @@ std::int64_t sum_of(const Film& film, const std::string& layer, std::size_t pixe
 const std::string kGlass = "glass N-BK7 ";
 const std::string kAll =
     "depth,depth.nearest,distance,position,normal,normal.geometric,normal.through,albedo,uv,object,"
-    "material,samples,direct,indirect,caustic,class:*,light:*,deviation,surfaces,glassPath";
+    "material,samples,direct,indirect,caustic,class:*,light:*,deviation,surfaces,glassPath,"
+    "totalReflections,leastDeviation";
 
 } // namespace
 
@@ -118,6 +121,99 @@ TEST_CASE("a wedge turns the d line by what Snell's law says") {
   CHECK(l.at("surfaces.V") == 2.0);
   const double expected = std::asin(1.516800 * std::sin(wedge)) - wedge;
   CHECK(l.at("deviation.V") == Approx(expected * 180.0 / std::numbers::pi).epsilon(1e-5));
+}
+
+// Straight into one face of a prism of a right angle, to its back at 45 degrees, beyond the
+// critical angle of 41.25 degrees, and straight out of the other face.
+TEST_CASE("total reflections are counted") {
+  const std::string back = "-0.70710678118 0 -0.70710678118 0";
+  const Layered l =
+      narrow(kGlass + "polyhedron planes 5 0 0 1 1 1 0 0 1 " + back + " 0 1 0 2 0 -1 0 2",
+             "deviation,surfaces,totalReflections");
+  CHECK(l.at("totalReflections.V") == 1.0);
+  CHECK(l.at("surfaces.V") == 3.0);
+  CHECK(l.at("deviation.V") == Approx(90.0).epsilon(1e-6));
+}
+
+// A prism of 60 degrees turns light of 550 nm least where the sine of its angle is n / 2: it goes
+// through as symmetrically as it can. n by Schott's formula of N-BK7.
+TEST_CASE("the wavelength of least deviation is the one that passes a prism symmetrically") {
+  const double l2 = 0.55 * 0.55;
+  const double n =
+      std::sqrt(1.0 + 1.03961212 * l2 / (l2 - 0.00600069867) +
+                0.231792344 * l2 / (l2 - 0.0200179144) + 1.01046945 * l2 / (l2 - 103.560653));
+  const double in = std::asin(n / 2.0), third = std::numbers::pi / 3.0;
+  const auto plane = [](double angle, double side) {
+    return std::to_string(side * std::sin(angle)) + " 0 " + std::to_string(side * std::cos(angle)) +
+           " 1 ";
+  };
+  const std::string prism = kGlass + "polyhedron planes 5 " + plane(in, 1.0) +
+                            plane(in - third, -1.0) + plane(in + third, -1.0) + "0 1 0 2 0 -1 0 2";
+  CHECK(narrow(prism, "leastDeviation").at("leastDeviation.V") == Approx(550.0).margin(0.5));
+  // Far from it at any wavelength, and where nothing is refracted.
+  const Layered slab = narrow(kGlass + "cube", "leastDeviation");
+  CHECK(slab.at("leastDeviation.V") == 0.0);
+}
+
+// What a band adds to a sky of equal energy is its part of the observer's curves.
+TEST_CASE("a band's image is the colour of its light") {
+  Scene scene = test::scene_from("imageSize 1 1 samples 4 bands 27 background E 1");
+  scene.settings.band_images = true;
+  const Plan plan = make_plan(scene, scene.settings);
+  const Film film = std::move(test::render_scene(scene, false).film);
+  const std::vector<Xyz> weights =
+      band_weights(plan.grid, Curve::constant(1.0), plan.settings.observer);
+  for (int b = 0; b < 27; ++b) {
+    const LayerId layer = film.find(band_layer(b)).value();
+    const Xyz& expected = weights[static_cast<std::size_t>(b)];
+    CAPTURE(b);
+    CHECK(film.mean(layer, 0, 0, 0) == Approx(expected.x).epsilon(1e-6).margin(1e-9));
+    CHECK(film.mean(layer, 0, 0, 1) == Approx(expected.y).epsilon(1e-6).margin(1e-9));
+    CHECK(film.mean(layer, 0, 0, 2) == Approx(expected.z).epsilon(1e-6).margin(1e-9));
+  }
+}
+
+// Samples of bands add up in the film's integers; a splat is rounded in each band for itself.
+TEST_CASE("the images of all bands add up to the beauty, which does not depend on them") {
+  for (const std::string name : {"cornell_glass", "gem_caustic", "prism_view"}) {
+    CAPTURE(name);
+    Scene scene = test::project_scene(name, 12);
+    scene.settings.samples_per_pixel = 2;
+    scene.settings.bands = 9;
+    const Film plain = std::move(test::render_scene(scene, false).film);
+    scene.settings.band_images = true;
+    const Plan plan = make_plan(scene, scene.settings);
+    const Film film = std::move(test::render_scene(scene, false).film);
+    bool same = true, exact = true;
+    std::int64_t total = 0;
+    for (std::size_t pixel = 0; pixel < 12 * 12; ++pixel)
+      for (std::size_t value = 0; value < 3; ++value) {
+        std::int64_t bands = 0;
+        for (int b = 0; b < 9; ++b)
+          bands += sum_of(film, band_layer(b), pixel, value);
+        exact = exact && bands == sum_of(film, "beauty", pixel, value);
+        for (const std::string layer : {"beauty", "beauty.splats"})
+          same = same && sum_of(film, layer, pixel, value) == sum_of(plain, layer, pixel, value);
+        total += bands;
+      }
+    CHECK(total > 0);
+    CHECK(same);
+    CHECK(exact);
+    std::vector<double> sum(4 * 12 * 12);
+    for (int b = 0; b < 9; ++b) {
+      const auto image = develop_band(film, plan, b, SceneLinearSpace::rec709, film.window());
+      for (std::size_t i = 0; i < sum.size(); ++i)
+        sum[i] += static_cast<double>(image.rgba[i]);
+    }
+    const SceneLinearImage beauty = develop_scene_linear(film, plan);
+    double worst = 0.0, mean = 0.0;
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      if (i % 4 == 3) continue; // alpha
+      worst = std::max(worst, std::abs(sum[i] - static_cast<double>(beauty.rgba[i])));
+      mean += static_cast<double>(std::abs(beauty.rgba[i])) / (3 * 12 * 12);
+    }
+    CHECK(worst < 3e-6 * std::max(mean, 1e-3));
+  }
 }
 
 TEST_CASE("no byte of the beauty depends on layers, and its parts add up to it exactly") {

@@ -7,8 +7,8 @@
 
 using namespace abbe;
 
-TEST_CASE("The catalogue has 100 distinct materials with a range and a source") {
-  CHECK(glass_catalogue().size() == 100);
+TEST_CASE("The catalogue has 103 distinct materials with a range and a source") {
+  CHECK(glass_catalogue().size() == 103);
   std::set<std::string> names;
   for (const Glass& glass : glass_catalogue()) {
     INFO(glass.name);
@@ -77,4 +77,20 @@ TEST_CASE("Names of glasses ignore case, unknown ones give nothing") {
   CHECK(find_glass("N-BK7")->lower_nm == Approx(300.0));
   CHECK(find_glass("N-BK7")->upper_nm == Approx(2500.0));
   CHECK(find_glass("BK") == nullptr);
+}
+
+TEST_CASE("Materials are found by what people call them") {
+  CHECK(find_glass("Water") == find_glass("water-20C"));
+  CHECK(find_glass("sapphire") == find_glass("sapphire-o"));
+  CHECK(find_glass("window") == find_glass("soda-lime"));
+  CHECK(find_glass("pyrites") == nullptr);
+  const auto n = [](const char* name, double nm) {
+    return refractive_index(find_glass(name)->dispersion, nm);
+  };
+  // The tables and formulas of the sources.
+  CHECK(n("ice", 400.0) == Approx(1.3194).margin(1e-4));
+  CHECK(n("ice", 550.0) == Approx(1.3110).margin(1e-4));
+  CHECK(n("ice", 700.0) == Approx(1.3069).margin(1e-4));
+  CHECK(n("soda-lime", 500.0) == Approx(1.5130 - 0.003169 * 0.25 + 0.003962 / 0.25).epsilon(1e-9));
+  CHECK(n("zirconia", 589.3) == Approx(2.1586).margin(5e-4));
 }

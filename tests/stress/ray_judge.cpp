@@ -236,7 +236,8 @@ void RayJudge::check_distance(const RayState& state, const Hit& hit) {
   if (!next || next->t != hit.t || !(next->face == hit.face)) return tally_.count("t_of_others");
   Real nearest = INFINITY;
   const ExactCrossing* same = nullptr;
-  for (const auto& [shape, c] : ahead_)
+  // Rounding may have put it at the origin where it lies behind.
+  for (const auto& [shape, c] : crossed_)
     if (shape == hit.shape.value && c.face == hit.face && c.entering == hit.entering &&
         std::abs(c.t - Real(hit.t)) < nearest) {
       nearest = std::abs(c.t - Real(hit.t));
@@ -275,13 +276,12 @@ void RayJudge::judge(const RayState& state, const Hit& hit, bool behind_others) 
   tally_.count("rays");
   tally_.count(std::string("rays_") + kind_);
   tally_.count(std::string("scene_") + name_);
-  // Known and open, see docs/stability.md: a ray all but along a plane may be said to lie on what
-  // it met beside it.
+  // A ray all but along a plane may be said to lie on what it met beside it.
   for (const SurfaceContact& c : state.contacts) {
     const ExactBody& body = bodies_[c.shape.index()];
     const Vec o(state.ray.origin);
     if (body.distance(c.face, o) > 64 * blur(c.shape.index(), o, 0))
-      return open("open_contact_off_its_surface");
+      return fail("contact_off_its_surface", state, hit);
   }
   ahead(Vec(state.ray.origin), Vec(state.ray.direction));
   check_before(state, hit);

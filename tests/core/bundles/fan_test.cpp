@@ -74,6 +74,19 @@ TEST_CASE("--exact gives every band its own ray, by Snell's law") {
         glm::dot(cells.back().state->ray.direction, straight));
 }
 
+TEST_CASE("a refracted bundle is given all that the path has met") {
+  FanScene s(kBall + "exact on", kAside);
+  s.bundle.depth = 3;
+  s.bundle.panes = 2;
+  Bundle next; // as waiting bundles are: it still holds what another path has left there
+  next.depth = 11;
+  next.panes = 7;
+  go_on_as(s.refract().front(), s.bundle, next);
+  CHECK(next.depth == 4);
+  CHECK(next.panes == 2);
+  CHECK(next.surfaces() == 6);
+}
+
 TEST_CASE("only the bands that are asked for are refracted") {
   FanScene s(kBall + "exact on", kAside);
   const auto& cells = s.fan.refract(s.bundle, {20, 33}, {1.0, 0.5}, s.wavelengths, s.rays);

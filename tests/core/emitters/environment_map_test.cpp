@@ -128,3 +128,36 @@ TEST_CASE("a black picture is no lamp, and negative light counts as none") {
   CHECK_FALSE(EnvironmentMap::make(picture(2, 1, {-1, -2}), {550.0}).has_value());
   CHECK(radiance(map_of(picture(2, 1, {-1, 1})), {-1, 0, 0}) == 0.0);
 }
+
+// What is above the limit, summed over directions chosen evenly, and over those chosen for it.
+TEST_CASE(
+    "the bright part of an environment is what its luminance has above a multiple of its mean") {
+  const EnvironmentMap even = *EnvironmentMap::make(uneven(8, 4), {550.0}, 0.0);
+  const double mean = even.total() / (4.0 * kPi);
+  for (const double times : {0.0, 1.5, 8.0}) {
+    const EnvironmentMap map = *EnvironmentMap::make(uneven(8, 4), {550.0}, times);
+    REQUIRE(map.has_bright());
+    constexpr int kSide = 600;
+    double sum = 0.0, pdf = 0.0, chosen = 0.0, worst = 0.0;
+    for (int i = 0; i < kSide; ++i)
+      for (int j = 0; j < kSide; ++j) {
+        const dvec2 u{(i + 0.5) / kSide, (j + 0.5) / kSide};
+        const dvec3 any = kAll.sample(u);
+        const double value = radiance(map, any);
+        const double bright = std::max(0.0, value - times * mean);
+        sum += bright;
+        pdf += map.bright_pdf(any);
+        worst = std::max(worst, std::abs(map.bright_share(any) * value - bright));
+        const dvec3 aimed = map.sample_bright(u);
+        const double density = map.bright_pdf(aimed);
+        if (density > 0.0) chosen += map.bright_share(aimed) * radiance(map, aimed) / density;
+      }
+    const double all = 4.0 * kPi / (kSide * kSide);
+    CHECK(worst < 1e-4); // of 60, in single precision
+    CHECK(all * pdf == Approx(1.0).epsilon(2e-3));
+    CHECK(chosen / (kSide * kSide) == Approx(all * sum).epsilon(5e-3));
+  }
+  CHECK_FALSE(EnvironmentMap::make(uneven(8, 4), {550.0}, 1e15)->has_bright());
+  CHECK_FALSE(
+      EnvironmentMap::make(picture(4, 2, std::vector<float>(8, 3.0f)), {550.0}, 8.0)->has_bright());
+}

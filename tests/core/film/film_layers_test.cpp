@@ -140,3 +140,22 @@ TEST_CASE("the nearest of samples' values stays, whatever their order and the fi
   CHECK_FALSE(refuses.layer(id).nearest(0));
   CHECK(refuses.refused().not_finite == 1);
 }
+
+// A million pixels: colours take 24 million bytes, nine bands 72 million, and values 8.
+TEST_CASE("large layers beside the picture go to files together, and bands one by one") {
+  const std::size_t pixels = 1'000'000;
+  std::vector<LayerForm> layers = beauty_layers({.bands = 9, .errors = true});
+  layers.push_back({.name = "light:a"});
+  layers.push_back({.name = "light:b"});
+  layers.push_back({.name = "object", .kind = LayerKind::ids});
+  layers.push_back(transparency_layer());
+  using Flags = std::vector<bool>;
+  const auto places = [&](std::size_t largest, const char* folder = "/tmp") {
+    return layer_places(layers, pixels, {folder, largest});
+  };
+  CHECK(places(80'000'000).in_file == Flags{false, false, false, false, false, false});
+  CHECK(places(70'000'000).in_file == Flags{false, true, false, false, false, false});
+  CHECK(places(47'000'000).in_file == Flags{false, true, true, true, false, false});
+  CHECK(places(1, "").in_file == Flags{false, false, false, false, false, false});
+  CHECK(places(1).resident == FileBackedSums::kResidentBytes / 3);
+}

@@ -34,7 +34,7 @@ TEST_CASE("ranks are the shares of the things that cover a pixel, the largest fi
     if (s < 9) film.add_id(layer, place, s < 4 ? 0 : s < 7 ? 1 : 2);
   }
   const std::vector<std::string> names{"ball", "box", "box"};
-  const auto channels = cryptomatte_channels(film, layer, names, "CryptoObject");
+  const auto channels = cryptomatte_channels(film, layer, film.window(), names, "CryptoObject");
   REQUIRE(channels.size() == 2 * kCryptomatteRanks);
   CHECK(channels[0].name == "CryptoObject00.R");
   CHECK(channels[5].name == "CryptoObject01.G");

@@ -75,6 +75,42 @@ TEST_CASE("scene-linear pixels are the film's colours and alpha, row by row") {
     }
 }
 
+TEST_CASE("rows of a picture are those of the whole, and a layer alone is that layer") {
+  Scene scene = test::scene_from("imageSize 5 6 samples 2 bands 3 light E 0 0 5 1 sphere");
+  REQUIRE(add_layers("depth,normal,object,light:*,variance", scene.settings.layers));
+  scene.settings.keep_errors = true;
+  const Plan plan = make_plan(scene, scene.settings);
+  const Film film = std::move(test::render_scene(scene, false).film);
+  const SceneLinearImage whole = develop_scene_linear(film, plan);
+  const FilmPart rows{.window = {0, 2, 5, 4}};
+  const SceneLinearImage part = develop_scene_linear(film, plan, SceneLinearSpace::rec709, rows);
+  const auto of_rows = [](const std::vector<float>& values, std::ptrdiff_t channels) {
+    return std::vector<float>(values.begin() + 10 * channels, values.begin() + 20 * channels);
+  };
+  CHECK(part.rgba == of_rows(whole.rgba, 4));
+  REQUIRE(part.channels.size() == whole.channels.size());
+  for (std::size_t i = 0; i < part.channels.size(); ++i) {
+    CHECK(part.channels[i].name == whole.channels[i].name);
+    CHECK(part.channels[i].values == of_rows(whole.channels[i].values, 1));
+  }
+  const FilmPart ids{.window = film.window(), .layer = "CryptoObject"};
+  const SceneLinearImage alone = develop_scene_linear(film, plan, SceneLinearSpace::rec709, ids);
+  CHECK(alone.rgba.empty());
+  REQUIRE(alone.channels.size() == 12);
+  CHECK(alone.channels[0].name == "CryptoObject00.R");
+}
+
+TEST_CASE("a picture tells how many samples its pixels have in the mean") {
+  const Scene scene = test::scene_from("imageSize 2 1 bands 3 background E 1 samples 7");
+  Film film({0, 0, 2, 1}, beauty_layers({}));
+  for (const std::uint32_t s : {0u, 1u, 2u})
+    film.add({s == 2 ? 1 : 0, 0, s, true}, {1.0, 1.0, 1.0}, {});
+  const Metadata data = scene_linear_metadata(film, make_plan(scene, scene.settings));
+  const auto taken = std::ranges::find(data, "abbe/samplesTaken", &Metadata::value_type::first);
+  REQUIRE(taken != data.end());
+  CHECK(taken->second == "1.5");
+}
+
 TEST_CASE("a pixel without samples is black and clear, whatever light paths brought to it") {
   const Scene scene = test::scene_from("imageSize 2 1 bands 3 background E 1");
   Film film({0, 0, 2, 1}, beauty_layers({.quantum = 0x1p-40, .splats = true}));
@@ -269,5 +305,8 @@ TEST_CASE("a display's picture also names every setting of the display") {
                                    {"abbe/exposure", "-1.5"},
                                    {"abbe/whitePoint", "0.300000 0.310000"}});
   CHECK(metadata(other) == expected);
-  CHECK(develop_scene_linear(p.film, p.plan).metadata == render_metadata(p.plan));
+  Metadata of_film = render_metadata(p.plan);
+  for (const auto& entry : film_metadata(p.film))
+    of_film.push_back(entry);
+  CHECK(develop_scene_linear(p.film, p.plan).metadata == of_film);
 }

@@ -4,6 +4,7 @@
 #include "tests/catch.h"
 #include "tests/render_text.h"
 
+#include <algorithm>
 #include <string>
 
 using namespace abbe;
@@ -64,4 +65,19 @@ TEST_CASE("a light that the film has no numbers for is told") {
   CHECK(told.find("light number 2") == std::string::npos);
   CHECK(notes("intensity 1e5 light E 2 3 4 1 intensity 1e15 light E 2 3 -4 1").find("fainter") ==
         std::string::npos);
+}
+
+TEST_CASE("a scene so far off that its places are coarse is told of") {
+  const auto told = [](const std::string& x) {
+    const Scene scene = test::scene_from("background E 1 eye " + x + " 0 5 lookAt " + x +
+                                         " 0 0 translate " + x + " 0 0 sphere");
+    const Plan plan = make_plan(scene, scene.settings);
+    return std::any_of(plan.notes.begin(), plan.notes.end(), [](const std::string& note) {
+      return note.find("times its size away from the origin") != std::string::npos;
+    });
+  };
+  CHECK_FALSE(told("0"));
+  CHECK_FALSE(told("1e6"));
+  CHECK_FALSE(told("1e9")); // 1.1e-7 of a unit, and the ball is 2 units wide
+  CHECK(told("1e10"));
 }

@@ -34,6 +34,14 @@ TEST_CASE("memory is what the film's layers and the largest picture of them take
   CHECK(per_pixel(sky + "bands 405 ", BandPlace{"/tmp", 1}) == film + picture + 1024);
 }
 
+TEST_CASE("the sums in files are told") {
+  Scene scene = read_scene_text("imageSize 512 512 samples 1 bands 27", "test.sdl", {});
+  const Plan plan = make_plan(scene, scene.settings);
+  CHECK(disk_need(scene, plan, BandPlace{"/tmp", 1}) == 512ULL * 512 * 27 * 8);
+  CHECK(disk_need(scene, plan, BandPlace{"/tmp"}) == 0);
+  CHECK(disk_need(scene, plan, BandPlace{"/tmp", 1, false}) == 0);
+}
+
 // A table of a glass holds its index every 1/16 nm from 377.5 to 782.5 nm, both ends too.
 TEST_CASE("what a plan's tables take is told before they are made") {
   const auto need = [](const std::string& text) {

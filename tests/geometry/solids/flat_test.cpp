@@ -62,3 +62,19 @@ TEST_CASE("plane: met anywhere, but not by a ray in it") {
   REQUIRE_FALSE(intersect(Plane{}, LocalRay{{0, 0, 0}, {1, 0, 0}}));
   REQUIRE_FALSE(intersect(Plane{}, LocalRay{{0, 0, 1}, {1, 0, 0}}));
 }
+
+TEST_CASE("plane: where a line runs along it within rounding, nothing is met before it may be") {
+  // The line comes down by 1e-30 a unit from a height of 1, and rounding moves it by some 1e-15 a
+  // unit. So the root may be anywhere from some 1e15 on; its bound must have digits to say so.
+  for (const double sign : {1.0, -1.0}) {
+    const auto root = intersect(Plane{}, LocalRay{{0, 0, 1}, {1, 0, -sign * 1e-30}});
+    REQUIRE(root);
+    const double nearest = sign * root->t - root->t_error;
+    CHECK(nearest > 1e14);
+    CHECK(nearest < 1e16);
+    CHECK(sign * root->t + root->t_error < 1e17);
+  }
+  // With the height of rounding itself, it may be met from the origin on.
+  const auto close = intersect(Plane{}, LocalRay{{0, 0, 1e-16}, {1, 0, -1e-30}});
+  CHECK(close->t - close->t_error <= 0.0);
+}

@@ -71,6 +71,22 @@ TEST_CASE("tapered cylinder: along a line of the cone, tangent to a cylinder, at
   if (tip) CHECK(tip->exit.t - tip->enter.t < 1e-7);
 }
 
+TEST_CASE("tapered cylinder: nearly along a line of the cone, the near root is as sure as any") {
+  // The line down through (3/4, 0, 5/8) is turned by `turn` from the direction of the side's line
+  // from (0, 0, 1) to (-1, 0, 0). It comes in by the side's other line, x + z = 1, nearly at a
+  // right angle, so that the root there is as sure as coordinates are. The other root is far away.
+  for (const double turn : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    const dvec3 d = glm::normalize(dvec3(-1.0, 0.0, -1.0 + turn));
+    const auto found = line(kCone, dvec3(0.75, 0.0, 0.625) - 2.0 * d, d);
+    REQUIRE(found);
+    // x + z = 1 is met at 2 + (1 - 0.75 - 0.625) / (d.x + d.z).
+    const double enter = 2.0 + (1.0 - 0.75 - 0.625) / (d.x + d.z);
+    CAPTURE(turn);
+    CHECK(std::abs(found->enter.t - enter) <= found->enter.t_error);
+    CHECK(found->enter.t_error < 1e-13);
+  }
+}
+
 TEST_CASE("tapered cylinder: on the surface, with a contact") {
   Random random(7);
   for (int k = 0; k < 20000; ++k) {

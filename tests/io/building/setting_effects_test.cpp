@@ -38,6 +38,11 @@ TEST_CASE("settings that have no effect beside the others are warned of at their
       {"lightPaths 2", "integrator path", "", light_paths},
       {"lightPaths 2", "integrator path", "integrator path caustics off", light_paths},
       {"photonRadius 2", "integrator path", "", light_paths},
+      {"brightSky 2",
+       "integrator path environment \"" ABBE_SOURCE_DIR "/tests/fuzz/corpus/files/sky.exr\"",
+       "integrator path",
+       "it says which light of an environment is followed by light paths, with the integrator "
+       "path"},
       {"tolerance 2", "", "exact on", exact},
       {"maxFan 2", "", "exact on", exact},
       {"globalAmbient 1 1 1", "", "integrator path", "the integrator path takes no ambient light"},

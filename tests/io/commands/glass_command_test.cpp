@@ -2,6 +2,7 @@
 #include "tests/io/run_program.h"
 
 #include <cmath>
+#include <fstream>
 #include <sstream>
 
 using namespace abbe;
@@ -74,6 +75,27 @@ TEST_CASE("glass marks what lies beyond a glass's range") {
   const std::string text = desk.run("glass SK16 --step 200"); // coefficients for 400 to 700 nm
   CHECK(text.find("*: beyond the range of the coefficients of SK16") != std::string::npos);
   CHECK(desk.run("glass N-BK7").find('*') == std::string::npos);
+}
+
+// The glass lets 0.9 of 400 nm pass through 10 mm, so 0.81 through 20 mm (Lambert's law).
+TEST_CASE("glass tells what a maker's glass lets pass, and of others that it does not know") {
+  const Desk desk;
+  CHECK(desk.run("glass N-BK7").find("absorption            not known") != std::string::npos);
+  std::ofstream(desk / "maker.agf") << "CC a catalogue\n"
+                                       "NM DARK 2 517642.251 1.5168 64.17 0 1\n"
+                                       "CD 1.03961212 0.00600069867 0.231792344 0.0200179144 "
+                                       "1.01046945 103.560653\n"
+                                       "LD 0.3 2.5\n"
+                                       "IT 0.40 0.9 10\nIT 0.50 0.998 10\n";
+  const std::string csv = desk.run("glass dark --glasses maker.agf --csv --thickness 20");
+  CHECK(csv.starts_with("nm,n DARK,dn/dum DARK,plate DARK,internal DARK"));
+  const std::vector<double> row = row_at(csv, 400.0);
+  REQUIRE(row.size() == 5);
+  CHECK(row[4] == Approx(0.81).epsilon(1e-7));
+  CHECK(desk.run("glass N-BK7 DARK --glasses maker.agf").find("what 10 mm of DARK let pass") !=
+        std::string::npos);
+  desk.refuses("glass DARK --glasses none.agf", "none.agf");
+  desk.refuses("glass DARK --glasses maker.agf --thickness 0", "--thickness");
 }
 
 TEST_CASE("glass refuses what is wrong") {

@@ -10,6 +10,7 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfVersion.h>
 
@@ -103,6 +104,49 @@ SpectralImage spectral(const PixelWindow& data, std::size_t bands) {
 }
 
 } // namespace
+
+TEST_CASE("EXR tells its colours by the tag that is asked for") {
+  const Folder folder;
+  const fs::path path = folder.path / "picture.exr";
+  for (const ExrTag tag :
+       {ExrTag::interop_id, ExrTag::chromaticities, ExrTag::both, ExrTag::none}) {
+    SceneLinearImage image = scene_linear(crop);
+    image.space = SceneLinearSpace::acescg;
+    write_exr(path, image, ExrPixel::half, tag);
+    const Imf::InputFile file(path.c_str());
+    const bool id = tag == ExrTag::interop_id || tag == ExrTag::both;
+    const bool primaries = tag == ExrTag::chromaticities || tag == ExrTag::both;
+    CHECK(text_attribute(file.header(), "colorInteropID") == (id ? "lin_ap1_scene" : "(none)"));
+    REQUIRE(Imf::hasChromaticities(file.header()) == primaries);
+    if (!primaries) continue;
+    // AP1 and its white (S-2014-004).
+    const Imf::Chromaticities& c = Imf::chromaticities(file.header());
+    CHECK(c.red.x == Approx(0.713));
+    CHECK(c.green.y == Approx(0.830));
+    CHECK(c.blue.x == Approx(0.128));
+    CHECK(c.white.x == Approx(0.32168));
+  }
+}
+
+TEST_CASE("EXR tells where its camera stands, where that is known") {
+  const Folder folder;
+  const fs::path path = folder.path / "picture.exr";
+  SceneLinearImage image = scene_linear(crop);
+  image.camera.emplace();
+  image.camera->world_to_camera[3][1] = -2.5;
+  write_exr(path, image, ExrPixel::half);
+  {
+    const Imf::InputFile file(path.c_str());
+    REQUIRE(Imf::hasWorldToCamera(file.header()));
+    CHECK(Imf::worldToCamera(file.header())[3][1] == -2.5f);
+    CHECK_FALSE(Imf::hasWorldToNDC(file.header()));
+  }
+  image.camera->world_to_image.emplace()[1][2] = 4.0;
+  write_exr(path, image, ExrPixel::half);
+  const Imf::InputFile file(path.c_str());
+  REQUIRE(Imf::hasWorldToNDC(file.header()));
+  CHECK(Imf::worldToNDC(file.header())[1][2] == 4.0f);
+}
 
 TEST_CASE("scene-linear EXR has bare R G B A, the crop's windows and the colour tag") {
   const Folder folder;

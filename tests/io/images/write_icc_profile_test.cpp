@@ -192,3 +192,18 @@ TEST_CASE("a profile is named after the space, and after another curve than its 
   CHECK(profile_name({ntsc, power_transfer(2.5)}) == "NTSC 1953, gamma 2.5");
   CHECK(profile_name({ntsc, srgb_transfer()}) == "NTSC 1953, srgb");
 }
+
+// Codes go through another engine's reading of the profile as through the transfer function itself.
+TEST_CASE("a profile of version 2 tells the same colours as one of version 4") {
+  const auto old = icc_profile({}, IccVersion::v2), now = icc_profile({}, IccVersion::v4);
+  CHECK(static_cast<int>(old[8]) == 2);
+  CHECK(static_cast<int>(now[8]) == 4);
+  CHECK(icc_profile({}, IccVersion::none).empty());
+  for (const Vec3& code : {Vec3{0.0, 0.0, 0.0}, Vec3{0.02, 0.5, 0.9}, Vec3{1.0, 1.0, 1.0}}) {
+    const Vec3 a = transformed(old, code, TYPE_XYZ_DBL, cmsCreateXYZProfile());
+    const Vec3 expected = xyz_d50_of_linear(
+        {linear_of_srgb(code[0]), linear_of_srgb(code[1]), linear_of_srgb(code[2])});
+    for (std::size_t i = 0; i < 3; ++i)
+      CHECK(a[i] == Approx(expected[i]).margin(2e-4));
+  }
+}

@@ -89,6 +89,21 @@ TEST_CASE("PNG has the sRGB chunks and the metadata, and no time") {
   }
 }
 
+TEST_CASE("a crop's place is told by a text, and by no chunk that hides it") {
+  const Folder folder;
+  const fs::path path = folder.path / "picture.png";
+  write_png(path, ramp(full_frame, crop, 255), 8);
+  const Png file(path);
+  CHECK(png_get_image_width(file.png, file.info) == 40);
+  CHECK(png_get_valid(file.png, file.info, PNG_INFO_oFFs) == 0);
+  png_textp texts = nullptr;
+  int count = 0;
+  png_get_text(file.png, file.info, &texts, &count);
+  REQUIRE(count == 3);
+  CHECK(std::string(texts[2].key) == "abbe/crop");
+  CHECK(std::string(texts[2].text) == "7,5,47,15 of 60x20");
+}
+
 TEST_CASE("PNG has the encoded values rounded to nearest") {
   const Folder folder;
   const fs::path path = folder.path / "picture.png";
@@ -115,16 +130,6 @@ TEST_CASE("PNG has the encoded values rounded to nearest") {
     write_png(path, image);
     CHECK(Png(path).codes() == std::vector<int>{99, 100, 255, 0, 255, 0, 0, 255, 0});
   }
-}
-
-TEST_CASE("a PNG crop says where it belongs") {
-  const Folder folder;
-  const fs::path path = folder.path / "picture.png";
-  write_png(path, ramp(full_frame, crop, 255));
-  const Png file(path);
-  CHECK(png_get_image_width(file.png, file.info) == 40);
-  CHECK(png_get_x_offset_pixels(file.png, file.info) == 7);
-  CHECK(png_get_y_offset_pixels(file.png, file.info) == 5);
 }
 
 TEST_CASE("two PNG writes give the same bytes") {

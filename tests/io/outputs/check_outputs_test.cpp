@@ -91,3 +91,21 @@ TEST_CASE("an input is found by another name of it, and by that of a partial ima
         partial.string() + ": what an interrupted render leaves would replace " + partial.string() +
             ", which the scene is read from. Give the output another name");
 }
+
+TEST_CASE("files that are written beside the pictures are checked like these") {
+  const test::Folder folder;
+  write_files(folder.path);
+  const auto said_of = [&](const std::vector<fs::path>& further) -> std::string {
+    try {
+      check_outputs({{folder.path / "o.exr"}, {}}, std::vector{folder.path / "sky.exr"}, further);
+    } catch (const UserError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(said_of({folder.path / "o.depth.exr"}).empty());
+  CHECK(said_of({folder.path / "o.exr"}).find("two outputs") != std::string::npos);
+  CHECK(said_of({folder.path / "sky.exr"}).find("would replace") != std::string::npos);
+  fs::create_directory(folder.path / "o.depth.exr");
+  CHECK(said_of({folder.path / "o.depth.exr"}).find("cannot write") != std::string::npos);
+}

@@ -25,6 +25,7 @@ std::vector<std::string> warnings_of(std::vector<const char*> words) {
 TEST_CASE("options of images that are not written are warned of") {
   const std::vector<std::vector<const char*>> options{
       {"--exr-pixel", "half", ".exr"},  {"--exr-space", "acescg", ".exr"},
+      {"--exr-tag", "none", ".exr"},    {"--profile", "v2", ".png"},
       {"--tiff-depth", "16", ".tiff"},  {"--png-depth", "16", ".png"},
       {"--display", "p3", ".png"},      {"--transfer", "2.2", ".tiff"},
       {"--gamut", "clip", ".tif"},      {"--exposure", "1", ".png"},
@@ -41,6 +42,7 @@ TEST_CASE("options of images that are not written are warned of") {
   }
   CHECK(warnings_of({"--errors", "-o", "a.exr"}).empty());
   CHECK(warnings_of({"--errors", "-o", "a.png"}).size() == 1);
+  CHECK(warnings_of({"--band-images", "-o", "a.png"}).size() == 1);
   CHECK(warnings_of({"-o", "a.png"}).empty());
 }
 
@@ -51,4 +53,18 @@ TEST_CASE("half floats of the spectral image are warned of") {
   CHECK(warnings_of({"--exr-pixel", "half", "--spectral", "hs.exr", "-o", "a.png"}).size() == 1);
   CHECK(warnings_of({"--exr-pixel", "float", "--spectral", "hs.exr", "-o", "a.exr"}).empty());
   CHECK(warnings_of({"--spectral", "hs.exr", "-o", "a.exr"}).empty());
+}
+
+TEST_CASE("an adaptation to no white point is warned of") {
+  const std::vector<std::string> given{"--adaptation"};
+  const auto warned = [&](const char* image, const DisplaySettings& display) {
+    int count = 0;
+    warn_of_adaptation(given, {{image}}, display, [&](const std::string&) { ++count; });
+    return count;
+  };
+  CHECK(warned("a.png", {}) == 1);
+  CHECK(warned("a.exr", {}) == 0); // it has no effect for another reason, which is told
+  DisplaySettings white;
+  white.white_point = WhitePoint::at({0.3, 0.3});
+  CHECK(warned("a.png", white) == 0);
 }

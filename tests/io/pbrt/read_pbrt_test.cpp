@@ -3,6 +3,7 @@
 #include "core/scene/scene.h"
 #include "spectral/observer.h"
 #include "tests/catch.h"
+#include "tests/io/temporary_folder.h"
 
 #include <glm/geometric.hpp>
 
@@ -37,6 +38,24 @@ std::string error_of(const std::string& text) {
 
 const std::string kQuad = "Shape \"trianglemesh\" \"point3 P\" [ 1 2 3  3 2 3  3 2 7  1 2 7 ] "
                           "\"integer indices\" [ 0 1 2 0 2 3 ]";
+
+const std::string kPly = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                         "property float y\nproperty float z\nelement face 1\n"
+                         "property list uchar int vertex_indices\nend_header\n"
+                         "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+
+/// kPly, packed by Python's gzip.
+std::string packed_ply() {
+  const std::string_view digits =
+      "1f8b08000000000002035d8de10ac3200c84ffe729ee0986ae0f5482461ab02aea46ddd3cff54707"
+      "e520777c09b91207855c77eee0e654611f8624ca2ea9e32db5cb81854acd65e68110f3bc3cee60dc"
+      "c1e7fa11d809ec7f1fb575bcdcc6157a55ac9abc3a6924c9af9bb0974a065364cf69309d16fcfc49"
+      "5fb17478f9b4000000";
+  std::string bytes;
+  for (std::size_t i = 0; i < digits.size(); i += 2)
+    bytes += static_cast<char>(std::stoi(std::string(digits.substr(i, 2)), nullptr, 16));
+  return bytes;
+}
 
 } // namespace
 
@@ -222,4 +241,41 @@ TEST_CASE("mistakes in a scene of pbrt are told at their place") {
             .starts_with("s.pbrt:6:13: the current transform cannot be undone"));
   CHECK(error_of(kHead + "Material \"dielectric\" " + kQuad)
             .starts_with("s.pbrt:6:23: the mesh is not closed"));
+}
+
+TEST_CASE("a shape of pbrt without a material is diffuse, of reflectance 0.5") {
+  const Scene scene = scene_of(kHead + "Shape \"sphere\"");
+  REQUIRE(scene.materials.size() == 1);
+  CHECK(scene.materials[0].diffuse.constant_value() == 0.5);
+  CHECK(scene.materials[0].ambient.zero());
+}
+
+TEST_CASE("names in an included file of pbrt are found from the folder of the main file") {
+  const test::Folder folder;
+  std::filesystem::create_directory(folder.path / "parts");
+  test::put(folder.path / "parts/a.pbrt", "Include \"parts/b.pbrt\"\n");
+  test::put(folder.path / "parts/b.pbrt",
+            "MakeNamedMaterial \"m\" \"string type\" \"diffuse\" "
+            "\"spectrum reflectance\" \"parts/grey.spd\"\n"
+            "Shape \"plymesh\" \"string filename\" \"parts/t.ply\"\n");
+  test::put(folder.path / "parts/grey.spd", "400 0.25\n700 0.25\n");
+  test::put(folder.path / "parts/t.ply", kPly);
+  test::put(folder.path / "s.pbrt", kHead + "Include \"parts/a.pbrt\"\n");
+  InputFiles files;
+  const Scene scene = read_pbrt(folder.path / "s.pbrt", {}, &files, Strictness::strict);
+  CHECK(scene.shapes.size() == 1);
+  CHECK(files.size() == 5);
+}
+
+TEST_CASE("a mesh of pbrt may be packed by gzip") {
+  const test::Folder folder;
+  test::put(folder.path / "t.ply.gz", packed_ply());
+  test::put(folder.path / "s.pbrt", kHead + "Shape \"plymesh\" \"string filename\" \"t.ply.gz\"\n");
+  const Scene scene = read_pbrt(folder.path / "s.pbrt", {}, nullptr, Strictness::strict);
+  REQUIRE(scene.shapes.size() == 1);
+  CHECK(std::get<Mesh>(scene.shapes[0].shape).triangles().size() == 1);
+
+  test::put(folder.path / "t.ply.gz", packed_ply().substr(0, 60));
+  CHECK_THROWS_WITH(read_pbrt(folder.path / "s.pbrt", {}, nullptr, Strictness::strict),
+                    Catch::Matchers::ContainsSubstring("damaged, or ends too early"));
 }

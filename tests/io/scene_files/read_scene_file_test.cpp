@@ -17,11 +17,11 @@ TEST_CASE("the extension tells the format, in upper or lower case") {
 }
 
 TEST_CASE("an unknown extension is refused, with what can be read") {
-  CHECK(known_scene_extensions() == ".sdl or .pbrt");
+  CHECK(known_scene_extensions() == ".sdl, .pbrt, .glb or .gltf");
   CHECK_THROWS_WITH(read_scene_file("a.obj", {}),
                     "a.obj: no scene can be read under this name (its extension is \".obj\"). The "
-                    "name should end in .sdl or .pbrt");
+                    "name should end in .sdl, .pbrt, .glb or .gltf");
   CHECK_THROWS_WITH(read_scene_file("folder/a", {}),
                     "folder/a: no scene can be read under this name (it has no extension, which "
-                    "tells the format). The name should end in .sdl or .pbrt");
+                    "tells the format). The name should end in .sdl, .pbrt, .glb or .gltf");
 }

@@ -49,10 +49,12 @@ const std::map<std::string_view, Example> kExamples{
     {"--fan", "12"},
     {"--caustics", "on"},
     {"--light-paths", "0.5"},
+    {"--bright-sky", "2.5"},
     {"--photon-radius", "0.2"},
     {"--errors", {"on", ""}},
     {"--layers", {"", "transmittance,depth"}},
     {"--relightable", {"on", ""}},
+    {"--band-images", {"on", ""}},
     {"--size", {"640 480", "640x480"}},
     {"--crop", {"1 2 30 40", "1,2,30,40"}},
     {"--threads", "3"},
@@ -68,12 +70,13 @@ const std::map<std::string_view, Example> kExamples{
 };
 
 // These are of one run on one machine, not of a scene.
-const std::set<std::string_view> kNotInScenes{"--time",    "--errors", "--layers", "--relightable",
-                                              "--threads", "--skip",   "--tracing"};
+const std::set<std::string_view> kNotInScenes{"--time",        "--errors",     "--layers",
+                                              "--relightable", "--threads",    "--skip",
+                                              "--tracing",     "--band-images"};
 // Those, and what the windows and channels of an image file tell.
-const std::set<std::string_view> kNotInMetadata{"--errors", "--layers", "--relightable",
-                                                "--size",   "--crop",   "--threads",
-                                                "--skip",   "--tracing"};
+const std::set<std::string_view> kNotInMetadata{"--errors",      "--layers", "--relightable",
+                                                "--band-images", "--size",   "--crop",
+                                                "--threads",     "--skip",   "--tracing"};
 
 RenderCommand parse(const std::string& option, const std::string& value) {
   std::vector<const char*> words{"abbe", "render", "scene.sdl", option.c_str()};
@@ -182,10 +185,11 @@ TEST_CASE("every member of the settings has its row") {
   const RenderSettings render;
   [[maybe_unused]] const auto& [width, height, crop, bands, observer, samples, noise, seconds,
                                 adaptive, keep_errors, seed, integrator, filter, sky, layers,
-                                relightable, max_depth, min_throughput, min_reflectivity,
-                                min_transparency, shadows, caustics, light_paths, photon_radius,
-                                exact, jitter, tolerance, max_fan, threads, skip, tracing] = render;
-  CHECK(render_setting_table().size() == 31 - 1); // width and height are one setting
+                                relightable, band_images, max_depth, min_throughput,
+                                min_reflectivity, min_transparency, shadows, caustics, light_paths,
+                                bright_sky, photon_radius, exact, jitter, tolerance, max_fan,
+                                threads, skip, tracing] = render;
+  CHECK(render_setting_table().size() == 33 - 1); // width and height are one setting
   const DisplaySettings display;
   [[maybe_unused]] const auto& [exposure, gamut, space, transfer, white_point, adaptation, tone] =
       display;
