@@ -95,7 +95,7 @@ std::vector<Glass> load_glasses() {
 }
 
 /// What people call materials that the catalogue has under a longer name.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kCommonNames{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kGlassNames{{
     {"water", "water-20C"},
     {"air", "air-15C"},
     {"window", "soda-lime"},
@@ -123,7 +123,7 @@ const std::vector<Glass>& glass_catalogue() {
 const Glass* find_glass(std::string_view name) {
   for (const Glass& glass : glass_catalogue())
     if (same_name(glass.name, name)) return &glass;
-  for (const auto& [common, in_catalogue] : kCommonNames)
+  for (const auto& [common, in_catalogue] : kGlassNames)
     if (same_name(common, name)) return find_glass(in_catalogue);
   return nullptr;
 }

@@ -29,7 +29,7 @@ std::vector<Metal> load_metals() {
 }
 
 /// What people call metals.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kCommonNames{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kMetalNames{{
     {"silver", "Ag"},
     {"gold", "Au"},
     {"copper", "Cu"},
@@ -53,7 +53,7 @@ const std::vector<Metal>& metal_catalogue() {
 const Metal* find_metal(std::string_view symbol) {
   for (const Metal& metal : metal_catalogue())
     if (same_name(metal.name, symbol)) return &metal;
-  for (const auto& [common, in_catalogue] : kCommonNames)
+  for (const auto& [common, in_catalogue] : kMetalNames)
     if (same_name(common, symbol)) return find_metal(in_catalogue);
   return nullptr;
 }

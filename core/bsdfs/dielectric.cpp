@@ -4,14 +4,15 @@
 #include "core/optics/thin_film.h"
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 
 namespace abbe {
 namespace {
 
-/// True when the medium has one index for all these bands. Fresnel's equations then need to be
-/// solved only once.
+/// True when the medium has one index for all these bands.
 bool alike(const double* n, int first, int last) {
   // Compare bits, since that works in whole registers. Equal indices have equal bits: none is 0.
   const auto bits = [n](int b) { return std::bit_cast<std::uint64_t>(n[b]); };
@@ -21,28 +22,105 @@ bool alike(const double* n, int first, int last) {
   return differing == 0;
 }
 
+/// True when both media have one index for all the bands. Fresnel's equations then need to be
+/// solved only once.
 bool one_boundary(const Incidence& in) {
-  return alike(in.n_before, in.bands.first, in.bands.last) &&
-         alike(in.n_after, in.bands.first, in.bands.last);
+  const auto [first, last] = in.bands;
+  // Where glass is, the outermost bands tell so at once.
+  if (in.n_before[first] != in.n_before[last - 1] || in.n_after[first] != in.n_after[last - 1])
+    return false;
+  return alike(in.n_before, first, last) && alike(in.n_after, first, last);
+}
+
+/// Four bands, for one instruction to work on all. Arrays over bands are read and written in whole
+/// groups of four, which their padding allows: what stands outside the range is of no use.
+constexpr int kLanes = 4;
+using Doubles = double __attribute__((vector_size(kLanes * sizeof(double))));
+using Floats = float __attribute__((vector_size(kLanes * sizeof(float))));
+
+template <class Lanes, class Value>
+Lanes loaded(const Value* from) {
+  Lanes lanes;
+  static_assert(sizeof lanes == kLanes * sizeof(Value));
+  std::memcpy(&lanes, from, sizeof lanes);
+  return lanes;
+}
+
+/// The numbers of the first bands of the groups that hold a range.
+template <class Body>
+void for_each_group(BandRange bands, Body&& body) {
+  for (int group = bands.first & -kLanes; group < bands.last; group += kLanes)
+    body(group);
+}
+
+Doubles square_root(const Doubles& x) {
+  Doubles root;
+  for (int i = 0; i < kLanes; ++i)
+    root[i] = std::sqrt(x[i]);
+  return root;
 }
 
 struct Parts {
-  float reflected, transmitted;
+  Floats reflected, transmitted;
 };
 
-// In line so that the loop over bands can be vectorised.
-[[gnu::always_inline]] inline Parts parts(bool fresnel, double cos_o, double n_before,
-                                          double n_after, Transport transport) {
-  const Fractions f = dielectric_fractions(fresnel, cos_o, n_before, n_after);
-  const double inverse = n_before / n_after;
-  const double transmitted =
-      transport == Transport::radiance ? f.transmitted * (inverse * inverse) : f.transmitted;
-  return {static_cast<float>(f.reflected), static_cast<float>(transmitted)};
+/// What a boundary sends back and lets through in four bands: dielectric_fractions() in lanes.
+template <bool kFresnel, Transport kTransport>
+Parts parts(double cos_o, const Doubles& n_before, const Doubles& n_after) {
+  const Doubles zero{}, one = zero + 1.0;
+  const Doubles eta = n_after / n_before;
+  const Doubles part2 = cos_o * cos_o + (eta - 1.0) * (eta + 1.0); // see refracted_part2()
+  const auto passes = part2 > zero;
+  Doubles reflected = one, transmitted = passes ? one : zero;
+  if constexpr (kFresnel) {
+    const Doubles part = square_root(passes ? part2 : zero); // eta cos t
+    const Doubles s = (cos_o - part) / (cos_o + part);
+    const Doubles across = eta * eta * cos_o;
+    const Doubles p = (across - part) / (across + part);
+    reflected = passes ? 0.5 * (s * s + p * p) : one;
+    transmitted = 1.0 - reflected;
+  }
+  if constexpr (kTransport == Transport::radiance) {
+    const Doubles inverse = n_before / n_after;
+    transmitted = transmitted * (inverse * inverse);
+  }
+  return {__builtin_convertvector(reflected, Floats), __builtin_convertvector(transmitted, Floats)};
 }
 
-float passed_straight(bool fresnel, double cos_o, double eta) {
-  return static_cast<float>(fresnel ? 1.0 - fresnel_reflectance(cos_o, std::max(eta, 1.0 / eta))
-                                    : 1.0);
+template <bool kFresnel, Transport kTransport>
+void fill(const Dielectric& surface, const Incidence& in, const SpecularFactors& out) {
+  const double cos_o = in.cos_o();
+  const auto put = [&](int group, const Parts& p) {
+    const Floats reflected = p.reflected * loaded<Floats>(surface.reflectivity.data() + group);
+    const Floats transmitted = p.transmitted * loaded<Floats>(surface.transparency.data() + group);
+    std::memcpy(out.reflected + group, &reflected, sizeof reflected);
+    std::memcpy(out.transmitted + group, &transmitted, sizeof transmitted);
+  };
+  if (one_boundary(in)) {
+    const Doubles zero{};
+    const Parts same = parts<kFresnel, kTransport>(cos_o, zero + in.n_before[in.bands.first],
+                                                   zero + in.n_after[in.bands.first]);
+    for_each_group(in.bands, [&](int group) { put(group, same); });
+    return;
+  }
+  for_each_group(in.bands, [&](int group) {
+    put(group, parts<kFresnel, kTransport>(cos_o, loaded<Doubles>(in.n_before + group),
+                                           loaded<Doubles>(in.n_after + group)));
+  });
+}
+
+/// What passes straight on in four bands. The reflectance is fresnel_reflectance() in lanes.
+Floats passed_straight(double cos_o, const Doubles& n_before, const Doubles& n_after) {
+  const Doubles zero{}, one = zero + 1.0;
+  const Doubles ratio = n_after / n_before, inverse = 1.0 / ratio;
+  const Doubles eta = ratio < inverse ? inverse : ratio;
+  const Doubles part2 = cos_o * cos_o + (eta - 1.0) * (eta + 1.0);
+  const auto passes = part2 > zero;
+  const Doubles cosine = square_root(passes ? part2 : zero) / eta;
+  const Doubles cos_t = cosine < one ? cosine : one;
+  const Doubles s = (cos_o - eta * cos_t) / (cos_o + eta * cos_t);
+  const Doubles p = (eta * cos_o - cos_t) / (eta * cos_o + cos_t);
+  return __builtin_convertvector(1.0 - (passes ? 0.5 * (s * s + p * p) : one), Floats);
 }
 
 void filmed(const Dielectric& surface, const Incidence& in, const SpecularFactors& out) {
@@ -75,29 +153,12 @@ void Dielectric::specular(const Incidence& in, const SpecularFactors& out) const
     filmed(*this, in, out);
     return;
   }
-  const float* reflect = reflectivity.data();
-  const float* transmit = transparency.data();
-  float* reflected = out.reflected;
-  float* transmitted = out.transmitted;
-  const double cos_o = in.cos_o();
-  const double* n_before = in.n_before;
-  const double* n_after = in.n_after;
-  const auto [first, last] = in.bands;
-  if (one_boundary(in)) {
-    const Parts p = parts(fresnel, cos_o, n_before[first], n_after[first], in.transport);
-    for (int b = first; b < last; ++b) {
-      reflected[b] = p.reflected * reflect[b];
-      transmitted[b] = p.transmitted * transmit[b];
-    }
-    return;
-  }
-  const bool by_fresnel = fresnel;
-  const Transport transport = in.transport;
-  for (int b = first; b < last; ++b) {
-    const Parts p = parts(by_fresnel, cos_o, n_before[b], n_after[b], transport);
-    reflected[b] = p.reflected * reflect[b];
-    transmitted[b] = p.transmitted * transmit[b];
-  }
+  if (in.transport == Transport::radiance)
+    fresnel ? fill<true, Transport::radiance>(*this, in, out)
+            : fill<false, Transport::radiance>(*this, in, out);
+  else
+    fresnel ? fill<true, Transport::flux>(*this, in, out)
+            : fill<false, Transport::flux>(*this, in, out);
 }
 
 void Dielectric::pass_straight(const Incidence& in, float* transmittance) const {
@@ -105,18 +166,25 @@ void Dielectric::pass_straight(const Incidence& in, float* transmittance) const 
     pass_film(*this, in, transmittance);
     return;
   }
-  const float* transmit = transparency.data();
+  const auto multiply = [&](int group, const Floats& passed) {
+    const Floats product = loaded<Floats>(transmittance + group) *
+                           (passed * loaded<Floats>(transparency.data() + group));
+    std::memcpy(transmittance + group, &product, sizeof product);
+  };
+  const Doubles zero{};
   const double cos_o = in.cos_o();
-  if (one_boundary(in)) {
-    const float passed =
-        passed_straight(fresnel, cos_o, in.n_after[in.bands.first] / in.n_before[in.bands.first]);
-    for (int b = in.bands.first; b < in.bands.last; ++b)
-      transmittance[b] *= passed * transmit[b];
-    return;
+  if (!fresnel) {
+    for_each_group(in.bands, [&](int group) { multiply(group, Floats{} + 1.0f); });
+  } else if (one_boundary(in)) {
+    const Floats same = passed_straight(cos_o, zero + in.n_before[in.bands.first],
+                                        zero + in.n_after[in.bands.first]);
+    for_each_group(in.bands, [&](int group) { multiply(group, same); });
+  } else {
+    for_each_group(in.bands, [&](int group) {
+      multiply(group, passed_straight(cos_o, loaded<Doubles>(in.n_before + group),
+                                      loaded<Doubles>(in.n_after + group)));
+    });
   }
-  for (int b = in.bands.first; b < in.bands.last; ++b)
-    transmittance[b] *=
-        passed_straight(fresnel, cos_o, in.n_after[b] / in.n_before[b]) * transmit[b];
 }
 
 SurfaceOptics Dielectric::optics(const Incidence& in) const {

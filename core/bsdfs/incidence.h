@@ -14,9 +14,10 @@ namespace abbe {
 using glm::dvec2;
 using glm::dvec3;
 
-/// A bundle of bands that meets a surface, as a BSDF sees it. Arrays are over bands; of each only
-/// `bands` are meant, as they are of the rows that a BSDF fills. Directions are in the frame of the
-/// surface: +z is its normal on the side that the ray comes from, and both point away from it.
+/// A bundle of bands that meets a surface, as a BSDF sees it. Arrays are over bands, padded like
+/// those of BandTable; of each only `bands` are meant, as they are of the rows that a BSDF fills.
+/// Directions are in the frame of the surface: +z is its normal on the side that the ray comes
+/// from, and both point away from it.
 struct Incidence {
   BandRange bands;
   const double* n_before = nullptr;  ///< index of the medium on the side of `wo`

@@ -92,8 +92,7 @@ inline void set_off(const Bundle& bundle, const dvec3& direction, bool through, 
   next.first_nonspecular_depth = bundle.first_nonspecular_depth;
   next.has_pixel_footprint = bundle.has_pixel_footprint;
   next.state.ray = {hit.point, direction};
-  next.state.contacts = through ? hit.other_side : hit.same_side;
-  next.state.nesting = through ? hit.nesting_after : hit.nesting_before;
+  hit.go_on(through, next.state.contacts, next.state.nesting);
   next.kind = kind;
   next.traced = false;
   next.straight_on = false;

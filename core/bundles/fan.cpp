@@ -10,11 +10,13 @@ namespace abbe {
 
 Fan::Fan(const Plan& plan, const World& world, double pixel_angle)
     : plan_(plan), world_(world), tolerance_(plan.settings.tolerance_pixels * pixel_angle),
+      directions_(static_cast<std::size_t>(plan.grid.count())),
       states_(2 * static_cast<std::size_t>(plan.grid.count())), hits_(states_.size()),
       ray_of_band_(static_cast<std::size_t>(plan.grid.count())) {}
 
 void Fan::prepare(const Bundle& bundle, BandRange bands, PathWavelengths& wavelengths) {
   incoming_ = &bundle;
+  ++boundary_;
   const Hit& hit = bundle.hit;
   const dvec3& direction = bundle.state.ray.direction;
   facing_normal_ = hit.facing_shading_normal();
@@ -33,12 +35,22 @@ void Fan::prepare(const Bundle& bundle, BandRange bands, PathWavelengths& wavele
   divergence_ = bundle.divergence * cos_i_ / std::max(eta * cos_t, 1e-3);
 }
 
+/// The direction of a band's own ray.
+const dvec3& Fan::refracted_direction(int band) {
+  BandDirection& kept = directions_[static_cast<std::size_t>(band)];
+  if (kept.boundary != boundary_) {
+    kept.boundary = boundary_;
+    kept.direction = refracted_direction(n_before_[band], n_after_[band]);
+  }
+  return kept.direction;
+}
+
 dvec3 Fan::refracted_direction(double n_before, double n_after) const {
   const double eta = n_after / n_before;
   const double cos_t = refracted_cosine(cos_i_, eta).value_or(0.0);
   const dvec3 direction =
       refracted(incoming_->state.ray.direction, facing_normal_, cos_i_, cos_t, eta);
-  if (incoming_->hit.bent()) [[unlikely]]
+  if (incoming_->hit.bent) [[unlikely]]
     return kept_on_side(direction, incoming_->hit.facing_normal(), false);
   return direction;
 }
@@ -51,14 +63,13 @@ double Fan::adjoint_of(double n_before, double n_after) const {
                         incoming_->hit.normal);
 }
 
-/// Adds the incoming ray, refracted between these two indices, and returns its number.
-std::size_t Fan::add_ray(double n_before, double n_after) {
+/// Adds a ray that goes on behind the hit, and returns its number.
+std::size_t Fan::add_ray(const dvec3& direction) {
   const Hit& hit = incoming_->hit;
   RayState& state = states_[ray_count_];
   state.ray.origin = hit.point;
-  state.ray.direction = refracted_direction(n_before, n_after);
-  state.contacts = hit.other_side;
-  state.nesting = hit.nesting_after;
+  state.ray.direction = direction;
+  hit.go_on(true, state.contacts, state.nesting);
   return ray_count_++;
 }
 
@@ -73,7 +84,7 @@ const Hit& Fan::hit_of(int band) const {
 
 void Fan::want(int band) {
   int& ray = ray_of_band_[static_cast<std::size_t>(band)];
-  if (ray < 0) ray = static_cast<int>(add_ray(n_before_[band], n_after_[band]));
+  if (ray < 0) ray = static_cast<int>(add_ray(refracted_direction(band)));
 }
 
 void Fan::trace_new_rays(RayCounts& counts) {
@@ -89,15 +100,15 @@ void Fan::trace_new_rays(RayCounts& counts) {
 void Fan::add_band(int band, float weight) {
   const auto ray = static_cast<std::size_t>(ray_of_band_[static_cast<std::size_t>(band)]);
   cells_.push_back({{band, band + 1}, weight, false, &states_[ray], &hits_[ray]});
-  if (incoming_->hit.bent()) [[unlikely]]
+  if (incoming_->hit.bent) [[unlikely]]
     cells_.back().adjoint = adjoint_of(n_before_[band], n_after_[band]);
 }
 
 FanCell& Fan::add_shared_ray(BandRange range, double n_before, double n_after) {
-  const std::size_t ray = add_ray(n_before, n_after);
+  const std::size_t ray = add_ray(refracted_direction(n_before, n_after));
   FanCell& cell = cells_.emplace_back(
       FanCell{range, 1.0f, true, &states_[ray], &hits_[ray], separation_, divergence_});
-  if (incoming_->hit.bent()) [[unlikely]]
+  if (incoming_->hit.bent) [[unlikely]]
     cell.adjoint = adjoint_of(n_before, n_after);
   return cell;
 }
@@ -127,10 +138,9 @@ bool Fan::goes_on_behind(const Hit& hit) const {
 }
 
 /// The angle between the rays of the outermost bands, with what earlier surfaces have done.
-double Fan::parted(BandRange range) const {
+double Fan::parted(BandRange range) {
   return divergence_ +
-         glm::distance(refracted_direction(n_before_[range.first], n_after_[range.first]),
-                       refracted_direction(n_before_[range.last - 1], n_after_[range.last - 1]));
+         glm::distance(refracted_direction(range.first), refracted_direction(range.last - 1));
 }
 
 /// Requires that rays of the outermost bands of the range have been traced.

@@ -50,9 +50,10 @@ private:
   struct Judge;
 
   void prepare(const Bundle& bundle, BandRange bands, PathWavelengths& wavelengths);
+  [[nodiscard]] const dvec3& refracted_direction(int band);
   [[nodiscard]] dvec3 refracted_direction(double n_before, double n_after) const;
   [[nodiscard]] double adjoint_of(double n_before, double n_after) const;
-  std::size_t add_ray(double n_before, double n_after);
+  std::size_t add_ray(const dvec3& direction);
   [[nodiscard]] const dvec3& direction_of(int band) const;
   [[nodiscard]] const Hit& hit_of(int band) const;
   void want(int band);
@@ -63,7 +64,7 @@ private:
   [[nodiscard]] bool all_would_leave(BandRange range) const;
   [[nodiscard]] bool may_share(BandRange range) const;
   [[nodiscard]] bool goes_on_behind(const Hit& hit) const;
-  [[nodiscard]] double parted(BandRange range) const;
+  [[nodiscard]] double parted(BandRange range);
   bool part_by_directions(BandRange whole, std::size_t most, RayCounts& counts);
   [[nodiscard]] std::size_t sub_bundles_allowed(BandRange range) const;
   void cut(BandRange whole);
@@ -82,6 +83,14 @@ private:
   Limits limits_{};
   const double* n_before_ = nullptr;
   const double* n_after_ = nullptr;
+
+  /// The direction of a band's own ray behind a boundary, worked out when it is first asked for.
+  struct BandDirection {
+    dvec3 direction;
+    std::uint64_t boundary = 0;
+  };
+  std::vector<BandDirection> directions_;
+  std::uint64_t boundary_ = 0; ///< counts the boundaries
 
   // Rays in the order in which they were asked for: one for a band at most, and one for a cell.
   std::size_t ray_count_ = 0, traced_count_ = 0;

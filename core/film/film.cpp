@@ -80,6 +80,10 @@ std::vector<LayerForm> beauty_layers(const BeautyForm& form) {
   if (form.bands > 0) layers.push_back(bands);
   if (form.splats) layers.push_back(splats);
   if (form.splats && form.bands > 0) layers.push_back(band_splats);
+  if (form.splats && form.halves) {
+    layers.push_back(splats);
+    layers.back().name = kHalfSplats;
+  }
   return layers;
 }
 
@@ -236,6 +240,13 @@ Xyz Film::signed_error(LayerId id, int x, int y) const {
     return scale * (first / a - second / b);
   };
   return {error(0), error(1), error(2)};
+}
+
+Xyz Film::signed_splat_error(int x, int y) const {
+  const auto half = find(kHalfSplats);
+  if (!half || !splats_) return {0.0, 0.0, 0.0};
+  const std::size_t pixel = window_.index(x, y);
+  return mean_color(layer(*half), pixel) * 2.0 + mean_color(layer(*splats_), pixel) * -1.0;
 }
 
 } // namespace abbe

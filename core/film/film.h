@@ -32,6 +32,7 @@ struct BeautyForm {
   int bands = 0;         ///< 0 for colours alone, else the number of bands that are kept too
   bool errors = false;   ///< the film keeps what `error` needs
   bool splats = false;   ///< light paths add to the film
+  bool halves = false;   ///< the film keeps what `signed_splat_error` needs
   bool evidence = false; ///< what decides where samples go is not the beauty itself
 };
 [[nodiscard]] std::vector<LayerForm> beauty_layers(const BeautyForm& form);
@@ -42,6 +43,8 @@ inline constexpr const char* kEvidence = "evidence";
 inline constexpr const char* kBands = "bands";
 inline constexpr const char* kSplats = "beauty.splats";
 inline constexpr const char* kBandSplats = "bands.splats";
+/// The splats of every other run of light paths, which tell the noise of all of them.
+inline constexpr const char* kHalfSplats = "beauty.splats.half";
 
 /// The share of the light behind the scene that shows in the picture, in luminance, and as a
 /// colour: that of D65 of Y = 1 when it has passed through the scene.
@@ -163,6 +166,9 @@ public:
   [[nodiscard]] Xyz signed_error(int x, int y) const { return signed_error(*beauty_, x, y); }
   /// The same of any layer of colours with strata.
   [[nodiscard]] Xyz signed_error(LayerId id, int x, int y) const;
+  /// The same of the splats: half the difference of what two halves of the light paths bring. 0
+  /// where the film has no layer `kHalfSplats`.
+  [[nodiscard]] Xyz signed_splat_error(int x, int y) const;
 
 private:
   friend void merge(Film& film, const Film& other);

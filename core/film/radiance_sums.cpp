@@ -12,19 +12,36 @@ constexpr int kLanes = 4;
 using Sums = double __attribute__((vector_size(kLanes * sizeof(double))));
 using Weights = float __attribute__((vector_size(kLanes * sizeof(float))));
 
-/// The sum of sums[i] * weights[i], in four lanes of a register, whose order is fixed. Reads whole
-/// registers: the arrays are padded.
-double dot(const double* sums, const float* weights, std::size_t count) {
-  Sums lanes{};
-  for (std::size_t i = 0; i < count; i += kLanes) {
-    Sums s;
-    Weights w;
-    std::memcpy(&s, sums + i, sizeof s);
-    std::memcpy(&w, weights + i, sizeof w);
-    lanes += s * __builtin_convertvector(w, Sums);
+/// The sums of sums[i] * weights[i] for three rows of weights, each in four lanes of a register,
+/// whose order is fixed. Reads whole registers: the arrays are padded.
+class Dots {
+public:
+  void add(const double* sums, const AccumulatorPlan& weights, std::size_t begin,
+           std::size_t count) {
+    Sums x{}, y{}, z{};
+    for (std::size_t i = 0; i < count; i += kLanes) {
+      Sums s;
+      std::memcpy(&s, sums + i, sizeof s);
+      x += s * loaded(weights.x.data() + begin + i);
+      y += s * loaded(weights.y.data() + begin + i);
+      z += s * loaded(weights.z.data() + begin + i);
+    }
+    color_.x += total(x);
+    color_.y += total(y);
+    color_.z += total(z);
   }
-  return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
-}
+  [[nodiscard]] const Xyz& color() const { return color_; }
+
+private:
+  static Sums loaded(const float* from) {
+    Weights weights;
+    std::memcpy(&weights, from, sizeof weights);
+    return __builtin_convertvector(weights, Sums);
+  }
+  static double total(const Sums& lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
+
+  Xyz color_{0.0, 0.0, 0.0};
+};
 
 } // namespace
 
@@ -101,17 +118,14 @@ Xyz RadianceSums::own_color() const {
 }
 
 Xyz RadianceSums::color_from(std::size_t accumulator) const {
-  Xyz color{0.0, 0.0, 0.0};
+  Dots dots;
   const int begin = used_.first & -kLanes; // a band's lane does not depend on which are used
+  const auto from = static_cast<std::size_t>(begin);
   const auto count = static_cast<std::size_t>(used_.last - begin);
-  for (std::size_t i = 0; i < plan_.accumulators.size(); ++i) {
-    const AccumulatorPlan& weights = plan_.accumulators[i];
-    const double* sum = sums_.data() + (accumulator + i) * plan_.stride + begin;
-    color.x += dot(sum, weights.x.data() + begin, count);
-    color.y += dot(sum, weights.y.data() + begin, count);
-    color.z += dot(sum, weights.z.data() + begin, count);
-  }
-  return color;
+  for (std::size_t i = 0; i < plan_.accumulators.size(); ++i)
+    dots.add(sums_.data() + (accumulator + i) * plan_.stride + from, plan_.accumulators[i], from,
+             count);
+  return dots.color();
 }
 
 std::span<const Xyz> RadianceSums::band_colors() {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <span>
 #include <string>
@@ -95,18 +96,26 @@ void add_statistics(const Film& film, const ExtraLayers& asked, const Target& ta
     });
     target.image.channels.push_back(std::move(samples));
   }
-  if (!asked.has(ExtraLayer::variance) || !target.wants("variance.R")) return;
-  std::array<ImageChannel, 3> channels;
-  for (std::size_t i = 0; i < channels.size(); ++i)
-    channels[i].name = fmt::format("variance.{}", "RGB"[i]);
-  for_each_pixel(target.image.data, [&](int x, int y) {
-    const Xyz error = film.signed_error(x, y); // infinite where it is unknown
-    const Vector3 rgb = multiply(target.to_rgb, Vector3{error.x, error.y, error.z});
+  const auto add_errors = [&](const std::string& name, const auto& of_errors) {
+    if (!target.wants(name + ".R")) return;
+    std::array<ImageChannel, 3> channels;
     for (std::size_t i = 0; i < channels.size(); ++i)
-      channels[i].values.push_back(std::isfinite(rgb[i]) ? as_float(rgb[i] * rgb[i]) : 0.0f);
-  });
-  for (ImageChannel& channel : channels)
-    target.image.channels.push_back(std::move(channel));
+      channels[i].name = fmt::format("{}.{}", name, "RGB"[i]);
+    for_each_pixel(target.image.data, [&](int x, int y) {
+      const Xyz of_samples = film.signed_error(x, y); // infinite where it is unknown
+      const Xyz of_splats = film.signed_splat_error(x, y);
+      const Vector3 a = multiply(target.to_rgb, Vector3{of_samples.x, of_samples.y, of_samples.z});
+      const Vector3 b = multiply(target.to_rgb, Vector3{of_splats.x, of_splats.y, of_splats.z});
+      for (std::size_t i = 0; i < channels.size(); ++i)
+        channels[i].values.push_back(std::isfinite(a[i]) ? as_float(of_errors(a[i], b[i])) : 0.0f);
+    });
+    for (ImageChannel& channel : channels)
+      target.image.channels.push_back(std::move(channel));
+  };
+  if (asked.has(ExtraLayer::variance))
+    add_errors("variance",
+               [](double samples, double splats) { return samples * samples + splats * splats; });
+  if (asked.has(ExtraLayer::noise)) add_errors("noise", std::plus<>());
 }
 
 } // namespace
@@ -137,7 +146,7 @@ void develop_layers(const Film& film, const Plan& plan, const Matrix3& to_rgb,
   for (std::size_t i = 0; i < film.layer_count(); ++i) {
     const auto id = static_cast<LayerId>(i);
     const LayerForm& form = film.layer(id).form();
-    if (form.name == "albedo")
+    if (form.name == "albedo" || form.name == "albedo_through")
       add_color(film, std::array{id}, form.name, target);
     else if (form.name == "object")
       add_ids(film, id, plan.object_names, kObjects, target);

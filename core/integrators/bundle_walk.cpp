@@ -40,12 +40,12 @@ Bundle& BundleWalk::branch_off(BandRange bands, const float* factors, double wei
 dvec3 BundleWalk::reflected_direction() const {
   const Hit& hit = bundle().hit;
   const dvec3 direction = reflected(bundle().state.ray.direction, hit.facing_shading_normal());
-  return hit.bent() ? kept_on_side(direction, hit.facing_normal(), true) : direction;
+  return hit.bent ? kept_on_side(direction, hit.facing_normal(), true) : direction;
 }
 
 double BundleWalk::reflected_adjoint() const {
   const Hit& hit = bundle().hit;
-  if (transport_ == Transport::radiance || !hit.bent()) return 1.0;
+  if (transport_ == Transport::radiance || !hit.bent) return 1.0;
   const dvec3& from = bundle().state.ray.direction;
   return adjoint_factor(from, reflected(from, hit.facing_shading_normal()), hit.shading_normal,
                         hit.normal);

@@ -22,6 +22,10 @@ namespace {
 /// are held back until its end, so it must be small.
 constexpr std::uint32_t kChunk = 256;
 
+/// So many paths of a light in turn belong to either half of them, by whose difference the noise of
+/// splats is known. Each such run of the sampler's sequence is stratified in itself.
+constexpr std::uint32_t kHalvesAlternate = 64;
+
 /// Light paths that fill the photon map of one pass; what more there are add splats only.
 constexpr std::uint32_t kMostMapped = 1u << 15;
 
@@ -125,6 +129,7 @@ bool LightPasses::follow(LightPaths& walker, const Chunk& chunk, const Paths& pa
     const auto ray = emission_.lights()[light].sample(sampler);
     if (!ray) continue;
     const bool keeps = i < paths.mapped[light];
+    walker.set_half((begun + i) / kHalvesAlternate % 2 == 0);
     if (!walker.trace(*ray, sampler, 1.0 / paths.shares[light], keeps ? &found.photons : nullptr,
                       1.0 / std::min(paths.mapped[light], paths.shares[light]), found.counts))
       return false;

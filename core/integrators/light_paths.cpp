@@ -41,8 +41,9 @@ LightPaths::LightPaths(const Plan& plan, const World& world, const Emission& emi
                        const PlacedCamera* camera, Film& film)
     : RandomWalk(plan, world, camera ? camera->pixel_angle() : 0.0, Transport::flux),
       emission_(emission), camera_(camera), film_(film), lost_splats_(film.find(kLostSplats)),
-      to_camera_(plan, world), sums_(plan), light_(plan.stride), limit_(depth_limit(plan.settings)),
-      part_layers_(plan, film), parts_(plan) {
+      half_splats_(film.find(kHalfSplats)), to_camera_(plan, world), sums_(plan),
+      light_(plan.stride), limit_(depth_limit(plan.settings)), part_layers_(plan, film),
+      parts_(plan) {
   if (plan.settings.relightable) sums_.divide(&parts_);
 }
 
@@ -86,6 +87,7 @@ void LightPaths::add_splats() {
     }
     film_.add_splat(s.x, s.y, s.color, {radiance, bands}, s.rounding);
     radiance += bands;
+    if (half_splats_ && s.first_half) film_.splat(*half_splats_, s.x, s.y, s.color, s.rounding);
     if (part_layers_.empty()) continue;
     part_layers_.splat(s.x, s.y, s.color, {unit, units},
                        {plan_.sources[static_cast<std::size_t>(s.source)].group,
@@ -202,9 +204,7 @@ void LightPaths::splat(const Hit& hit) {
   const BandSpan<float> light{light_.data(), bundle().bands};
   if (!(scattering_.evaluate(direction, light.data) > 0.0)) return;
   const bool through = (glm::dot(direction, hit.normal) > 0.0) != hit.entering;
-  const RayState to_eye{{hit.point, direction},
-                        through ? hit.other_side : hit.same_side,
-                        through ? hit.nesting_after : hit.nesting_before};
+  const RayState to_eye = hit.going_on(direction, through);
   const float* arriving = nullptr;
   if (plan_.dims_on_the_way()) {
     arriving = to_camera_.along(to_eye, distance, light.bands, wavelengths_, *counts_);
@@ -232,12 +232,12 @@ void LightPaths::hold_back(int x, int y) {
   if (beyond_limit()) {
     if (lost_splats_)
       held_.push_back({x, y, lost_light(sums_.color().y, plan_.quantum), rounding, true, source_,
-                       Arrival::caustic});
+                       Arrival::caustic, first_half_});
     return;
   }
   ++counts_->splats;
   const Arrival arrival = bundle().nonspecular_bounces == 0 ? Arrival::caustic : Arrival::indirect;
-  held_.push_back({x, y, sums_.color(), rounding, false, source_, arrival});
+  held_.push_back({x, y, sums_.color(), rounding, false, source_, arrival, first_half_});
   const int group = plan_.sources[static_cast<std::size_t>(source_)].group;
   if (plan_.settings.relightable && group >= 0) {
     const std::span<const float> unit = parts_.unit_radiance(static_cast<std::size_t>(group));

@@ -32,6 +32,8 @@ public:
   /// the same for those.
   bool trace(const EmittedRay& ray, const Sampler& sampler, double share, PhotonBatch* photons,
              double photon_share, RayCounts& counts);
+  /// Says whether the splats of the paths that follow belong to the half of all that is kept apart.
+  void set_half(bool first) { first_half_ = first; }
 
   /// Adds the splats that are held back to the film.
   void add_splats();
@@ -47,6 +49,7 @@ private:
     bool lost;       ///< it lies beyond the depth limit, which takes it from the picture
     int source;      ///< index into Plan::sources
     Arrival arrival;
+    bool first_half; ///< of the light paths
   };
 
   /// Starts the bundle of a path. False where its light is dark in all bands.
@@ -66,7 +69,7 @@ private:
   const Emission& emission_;
   const PlacedCamera* camera_;
   Film& film_;
-  std::optional<LayerId> lost_splats_;
+  std::optional<LayerId> lost_splats_, half_splats_;
   ShadowRays to_camera_;
   RadianceSums sums_;
   std::vector<float> light_; ///< scratch
@@ -75,6 +78,7 @@ private:
   PhotonBatch* photons_ = nullptr;
   int limit_;                ///< of depth
   bool goes_beyond_ = false; ///< whether the path goes on where the depth limit ends it
+  bool first_half_ = false;  ///< the path belongs to the half that is kept apart
   EndCheck end_check_;
   std::vector<HeldSplat> held_;
   std::vector<float> held_radiance_; ///< of the splats that are not lost, where the film has bands

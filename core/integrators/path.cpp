@@ -209,9 +209,7 @@ void Path::sample_light(const Hit& hit) {
   const bool outwards = glm::dot(sample->direction, hit.normal) > 0.0;
   const bool through = outwards != hit.entering;
   if (sky_.leaves_out(route_on(through), *sample)) return;
-  const RayState towards_light{{hit.point, sample->direction},
-                               through ? hit.other_side : hit.same_side,
-                               through ? hit.nesting_after : hit.nesting_before};
+  const RayState towards_light = hit.going_on(sample->direction, through);
   const float* arriving =
       shadow_rays_.transmittance(towards_light, *sample, light.bands, wavelengths_, *counts_);
   if (!arriving) return;

@@ -19,7 +19,7 @@ const float* ShadowRays::transmittance(const RayState& towards_light, double dis
 }
 
 bool ShadowRays::hidden(const Ray& towards_light, const LightSample& light) const {
-  return !world_.shows(light.may_be_hidden, towards_light, light.distance);
+  return !world_.shows(light.may_be_hidden, light.hiders, towards_light, light.distance);
 }
 
 const float* ShadowRays::along(const RayState& state, double distance, BandRange bands,

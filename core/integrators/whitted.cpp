@@ -142,8 +142,8 @@ void Whitted::add_lights(const Bundle& bundle, const MaterialPlan& material, Rad
     const Illumination light = illumination(scene_.lights[i], hit.point);
     const double lambert = glm::dot(light.direction, normal);
     if (!(lambert > 0.0) || light.strength == 0.0) continue;
-    if (hit.bent() && !(glm::dot(light.direction, hit.facing_normal()) > 0.0)) continue;
-    const RayState towards_light{{hit.point, light.direction}, hit.same_side, hit.nesting_before};
+    if (hit.bent && !(glm::dot(light.direction, hit.facing_normal()) > 0.0)) continue;
+    const RayState towards_light = hit.going_on(light.direction, false);
     const float* arriving = shadow_rays_.transmittance(towards_light, light.distance, bundle.bands,
                                                        wavelengths_, counts);
     if (!arriving) continue;

@@ -55,7 +55,7 @@ void Lights::add(Choice&& choice) {
 void Lights::place(const World& world) {
   for (Choice& choice : choices_)
     if (auto* light = std::get_if<SurfaceLight>(&choice.extent))
-      light->may_be_hidden = world.may_be_hidden(light->shape);
+      light->hiders = world.hiders(light->shape);
 }
 
 void Lights::add_lights() {
@@ -119,7 +119,8 @@ std::optional<LightSample> Lights::sample(const SurfaceLight& light, const Choic
                      1.0 / seen->pdf,
                      choice.source,
                      false,
-                     light.may_be_hidden ? light.shape : ShapeId{}};
+                     light.hiders.empty() ? ShapeId{} : light.shape,
+                     light.hiders};
 }
 
 std::optional<LightSample> Lights::sample(const EnvironmentLight& light, const Choice& choice,
@@ -131,7 +132,7 @@ std::optional<LightSample> Lights::sample(const EnvironmentLight& light, const C
 }
 
 std::optional<LightSample> Lights::sample(const dvec3& place, double choice, const dvec2& u) const {
-  const auto chosen = hierarchy_.choose(place, choice);
+  const auto chosen = single() ? LightHierarchy::Chosen{0, 1.0} : hierarchy_.choose(place, choice);
   if (!chosen) return std::nullopt;
   const Choice& light = choices_[static_cast<std::size_t>(chosen->light)];
   auto seen =

@@ -7,6 +7,7 @@
 #include "geometry/world/world.h"
 
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -24,8 +25,9 @@ struct LightSample {
   double weight = 0.0;
   int source = 0;           ///< index into Plan::sources
   bool environment = false; ///< the image's colour of this direction counts too
-  /// The shape whose surface is meant, if another surface may show in its place.
+  /// The shape whose surface is meant, if others may show in its place, and those.
   ShapeId may_be_hidden = {};
+  std::span<const ShapeId> hiders = {};
 };
 
 /// Everything that can be aimed at to light a place: the scene's lights, shapes whose material
@@ -85,7 +87,7 @@ private:
     SampledSurface surface;
     bool solid; ///< it gives light off outwards only
     ShapeId shape;
-    bool may_be_hidden = false; ///< by another surface that coincides with it
+    std::vector<ShapeId> hiders = {}; ///< whose surfaces may coincide with it, and show there
   };
   struct EnvironmentLight {
     const EnvironmentMap* map;

@@ -17,6 +17,7 @@ std::vector<LayerForm> film_layers(const Scene& scene, const Plan& plan,
                      .bands = bands && bands->spectra ? plan.grid.count() : 0,
                      .errors = plan.settings.needs_errors(),
                      .splats = splats,
+                     .halves = plan.settings.layers.tells_noise(),
                      .evidence = plan.caustics && plan.settings.adaptive == AdaptiveSampling::on});
   if (plan.sky.lets_through) layers.push_back(transparency_layer());
   if (plan.sky.tints) layers.push_back(transmittance_layer());

@@ -53,6 +53,8 @@ constexpr auto kLayers = std::to_array<FirstHitLayer>({
     {ExtraLayer::glass_path, {"glassPath.V"}, Unit::length, LayerKind::value},
     {ExtraLayer::total_reflections, {"totalReflections.V"}, Unit::share, LayerKind::value},
     {ExtraLayer::least_deviation, {"leastDeviation.V"}, Unit::wavelength, LayerKind::nearest},
+    {ExtraLayer::albedo_through, {"albedo_through"}, Unit::color, LayerKind::xyz},
+    {ExtraLayer::distance_through, {"distance_through.Z"}, Unit::length, LayerKind::value},
 });
 
 /// Quanta of directions, shares and numbers of surfaces. Sums have room for 2^24 samples of 2^8.
@@ -124,10 +126,12 @@ FirstHit::FirstHit(const Scene& scene, const Plan& plan, const World& world, Fil
       through_(find(ExtraLayer::normal_through)), uv_(find(ExtraLayer::uv)),
       deviation_(find(ExtraLayer::deviation)), surfaces_(find(ExtraLayer::surfaces)),
       glass_path_(find(ExtraLayer::glass_path)), total_(find(ExtraLayer::total_reflections)),
-      least_(find(ExtraLayer::least_deviation)), albedo_(find(ExtraLayer::albedo)[0]),
-      object_(find(ExtraLayer::object)[0]), material_(find(ExtraLayer::material)[0]),
+      least_(find(ExtraLayer::least_deviation)),
+      distance_through_(find(ExtraLayer::distance_through)), albedo_(find(ExtraLayer::albedo)[0]),
+      albedo_through_(find(ExtraLayer::albedo_through)[0]), object_(find(ExtraLayer::object)[0]),
+      material_(find(ExtraLayer::material)[0]),
       looks_through_(through_[0] || deviation_[0] || surfaces_[0] || glass_path_[0] || total_[0] ||
-                     least_[0]),
+                     least_[0] || distance_through_[0] || albedo_through_),
       empty_(std::ranges::none_of(
           kLayers, [&](const FirstHitLayer& r) { return plan.settings.layers.has(r.layer); })),
       albedos_(plan.materials.size()), textured_(0.0f, plan.grid.count()) {}
@@ -189,7 +193,12 @@ void FirstHit::add(const Film::Place& place, const CameraPaths& start) {
   if (material_) film_.add_id(*material_, place, static_cast<std::uint32_t>(hit.material.index()));
   if (!looks_through_) return;
   const SeenThrough seen = see_through(plan_, world_, state, hit);
-  put(place, through_, seen.normal.value_or(dvec3(0.0)));
+  if (seen.end) {
+    put(place, through_, seen.end->facing_shading_normal());
+    put(place, distance_through_, dvec3(seen.distance));
+    if (albedo_through_)
+      film_.add(*albedo_through_, place, albedo(*seen.end, seen.end->material.index()));
+  }
   put(place, deviation_, dvec3(seen.deviation * 180.0 / std::numbers::pi));
   put(place, surfaces_, dvec3(seen.surfaces));
   put(place, glass_path_, dvec3(seen.glass_length));

@@ -36,8 +36,8 @@ private:
   Film& film_;
   dvec3 eye_, forward_;
   Values depth_, depth_nearest_, distance_, position_, normal_, geometric_, through_, uv_;
-  Values deviation_, surfaces_, glass_path_, total_, least_;
-  std::optional<LayerId> albedo_, object_, material_;
+  Values deviation_, surfaces_, glass_path_, total_, least_, distance_through_;
+  std::optional<LayerId> albedo_, albedo_through_, object_, material_;
   bool looks_through_ = false;
   bool empty_ = true;
   std::vector<std::optional<Xyz>> albedos_; ///< by material, those of one colour that were met

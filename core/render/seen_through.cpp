@@ -35,7 +35,7 @@ Turn turn_at(const Plan& plan, const Hit& hit, const dvec3& direction,
              std::optional<double> through_nm) {
   const dvec3 normal = hit.facing_shading_normal();
   const auto on_side = [&](const dvec3& turned, bool above) {
-    return hit.bent() ? kept_on_side(turned, hit.facing_normal(), above) : turned;
+    return hit.bent ? kept_on_side(turned, hit.facing_normal(), above) : turned;
   };
   const double cos_i = std::clamp(-glm::dot(direction, normal), 0.0, 1.0);
   if (through_nm) {
@@ -64,6 +64,7 @@ SeenThrough see_through(const Plan& plan, const World& world, RayState state, co
   bool straight_on = false;
   for (int met = 0; hit.met() && met < kMostSurfaces; ++met) {
     const MediumId before = hit.medium_before;
+    seen.distance += hit.t;
     if (before.valid() && !plan.media[before.index()].drops) seen.glass_length += hit.t;
     const MaterialPlan& material = larger_part(plan, hit);
     const BsdfFacts facts = material.facts();
@@ -75,14 +76,12 @@ SeenThrough see_through(const Plan& plan, const World& world, RayState state, co
       continue;
     }
     if (!facts.specular() || facts.coats || (material.lit() && !facts.transmits)) {
-      seen.normal = hit.facing_shading_normal();
+      seen.end = hit;
       return seen;
     }
     const Turn turn =
         turn_at(plan, hit, state.ray.direction, facts.transmits ? std::optional(nm) : std::nullopt);
-    state = {{hit.point, turn.direction},
-             turn.through ? hit.other_side : hit.same_side,
-             turn.through ? hit.nesting_after : hit.nesting_before};
+    state = hit.going_on(turn.direction, turn.through);
     straight_on = false;
     ++seen.surfaces;
     seen.total_reflections += turn.total ? 1 : 0;

@@ -15,12 +15,13 @@ inline constexpr double kSeenThroughNm = kLineD_nm;
 
 /// What a camera ray meets that goes on by mirrors and glass.
 struct SeenThrough {
-  std::optional<dvec3> normal; ///< of what it ends on, towards the ray; nothing where it leaves
-  double deviation = 0.0;      ///< the angle between its first and its last direction, in radians
-  int surfaces = 0;            ///< how many have turned it; panes have not
-  double glass_length = 0.0;   ///< how far it went through media other than air, in scene units
-  int total_reflections = 0;   ///< how many surfaces of glass have let nothing through
-  dvec3 direction{0.0};        ///< the last one
+  std::optional<Hit> end;    ///< what it ends on; nothing where it leaves the scene
+  double distance = 0.0;     ///< how far it went to there, in scene units
+  double deviation = 0.0;    ///< the angle between its first and its last direction, in radians
+  int surfaces = 0;          ///< how many have turned it; panes have not
+  double glass_length = 0.0; ///< how far it went through media other than air, in scene units
+  int total_reflections = 0; ///< how many surfaces of glass have let nothing through
+  dvec3 direction{0.0};      ///< the last one
 };
 
 /// Follows a camera ray from what it meets. At a surface that lets light through the ray is

@@ -37,7 +37,7 @@ void Scattering::prepare(const MaterialPlan& material, const BandTable& diffuse,
   in_.live = throughput.data;
   reflect_ = refract_ = nonspecular_ = facets_ = 0.0;
   const dvec3 normal = hit.facing_shading_normal();
-  bent_ = hit.bent();
+  bent_ = hit.bent;
   if (bent_) {
     true_normal_ = hit.facing_normal();
     from_ = direction;

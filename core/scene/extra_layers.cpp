@@ -32,10 +32,24 @@ constexpr auto kNames = std::to_array<ExtraLayerName>({
     {"glassPath", ExtraLayer::glass_path},
     {"totalReflections", ExtraLayer::total_reflections},
     {"leastDeviation", ExtraLayer::least_deviation},
+    {"noise", ExtraLayer::noise},
+    {"albedo.through", ExtraLayer::albedo_through},
+    {"distance.through", ExtraLayer::distance_through},
 });
 static_assert(kNames.size() == kExtraLayerCount);
 
 constexpr std::string_view kLight = "light:", kClass = "class:", kAll = "*";
+
+/// What a filter needs to know of a picture to take its noise away.
+constexpr std::string_view kDenoise = "denoise";
+constexpr auto kForDenoise = std::to_array<ExtraLayer>({
+    ExtraLayer::normal,
+    ExtraLayer::normal_through,
+    ExtraLayer::albedo_through,
+    ExtraLayer::distance,
+    ExtraLayer::distance_through,
+    ExtraLayer::noise,
+});
 
 bool add_layer(std::string_view name, ExtraLayers& layers) {
   if (name.starts_with(kLight)) {
@@ -43,6 +57,11 @@ bool add_layer(std::string_view name, ExtraLayers& layers) {
     if (light.empty()) return false;
     if (std::ranges::find(layers.lights, light) == layers.lights.end())
       layers.lights.push_back(light);
+    return true;
+  }
+  if (name == kDenoise) {
+    for (const ExtraLayer layer : kForDenoise)
+      layers.add(layer);
     return true;
   }
   bool known = false;

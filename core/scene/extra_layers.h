@@ -35,8 +35,11 @@ enum class ExtraLayer : std::uint8_t {
   glass_path,
   total_reflections,
   least_deviation,
+  noise,
+  albedo_through,
+  distance_through,
 };
-inline constexpr int kExtraLayerCount = static_cast<int>(ExtraLayer::least_deviation) + 1;
+inline constexpr int kExtraLayerCount = static_cast<int>(ExtraLayer::distance_through) + 1;
 
 /// The name by which a layer is asked for.
 struct ExtraLayerName {
@@ -55,6 +58,10 @@ struct ExtraLayers {
   [[nodiscard]] bool has(ExtraLayer layer) const { return (kinds & bit(layer)) != 0; }
   [[nodiscard]] bool has_light(std::string_view name) const;
   [[nodiscard]] bool empty() const { return kinds == 0 && lights.empty(); }
+  /// True where the film is to know how noisy the picture is.
+  [[nodiscard]] bool tells_noise() const {
+    return has(ExtraLayer::variance) || has(ExtraLayer::noise);
+  }
   /// True where the picture's light is to be divided.
   [[nodiscard]] bool divides_light() const;
 

@@ -111,7 +111,7 @@ struct RenderSettings {
   [[nodiscard]] bool reports_errors() const { return keep_errors || may_end_early(); }
   /// True in a plan when the film must keep errors.
   [[nodiscard]] bool needs_errors() const {
-    return reports_errors() || adaptive == AdaptiveSampling::on || layers.has(ExtraLayer::variance);
+    return reports_errors() || adaptive == AdaptiveSampling::on || layers.tells_noise();
   }
 
   int threads = 0; ///< 0: one per processor

@@ -1,6 +1,7 @@
 #include "geometry/booleans/csg.h"
 
 #include "geometry/booleans/bounding_ball.h"
+#include "geometry/rays/short_vector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,49 +29,60 @@ bool coincide(const Root& a, const Root& b) {
   return std::abs(a.t - b.t) <= a.t_error + b.t_error;
 }
 
-/// A walk along an ascending interval list, from root to root.
-struct Walk {
-  std::size_t next, stop; ///< indices into the intervals
-  bool inside = false;
+using Intervals = std::span<const Interval>;
 
-  [[nodiscard]] bool done() const { return next >= stop; }
-  [[nodiscard]] const Root& root(const std::vector<Interval>& lists) const {
-    return inside ? lists[next].exit : lists[next].enter;
-  }
+/// A walk along an ascending interval list, from root to root.
+class Walk {
+public:
+  explicit Walk(Intervals list) : next_(list.data()), stop_(next_ + list.size()) {}
+
+  [[nodiscard]] bool done() const { return next_ == stop_; }
+  /// The root to be passed next.
+  [[nodiscard]] const Root& root() const { return inside_ ? next_->exit : next_->enter; }
+  [[nodiscard]] bool inside() const { return inside_; }
   void pass() {
-    if (inside) ++next;
-    inside = !inside;
+    next_ += inside_ ? 1 : 0;
+    inside_ = !inside_;
   }
+
+private:
+  const Interval *next_, *stop_;
+  bool inside_ = false;
 };
 
-/// Walks two ascending interval lists, [begin, middle) and [middle, end) of `lists`, and appends
-/// their combination after `end`. Where a root of one coincides with a root of the other, both are
-/// passed at once: faces that touch leave neither a gap between them nor a film.
-void merge(CsgOperation operation, std::vector<Interval>& lists, std::size_t begin,
-           std::size_t middle, std::size_t end) {
-  Walk left{begin, middle}, right{middle, end};
+/// True when nothing of the combined solid can lie beyond the ends of its operands' lists.
+bool all_met(CsgOperation operation, const Walk& left, const Walk& right) {
+  if (left.done()) return operation != CsgOperation::unite || right.done();
+  return operation == CsgOperation::intersect && right.done();
+}
+
+/// Walks two ascending interval lists and appends their combination to `found`. Where a root of one
+/// coincides with a root of the other, both are passed at once: faces that touch leave neither a
+/// gap between them nor a film.
+void merge(CsgOperation operation, Intervals left_list, Intervals right_list,
+           ShortVector<Interval, 4>& found) {
+  Walk left(left_list), right(right_list);
   bool inside = false;
   Interval open;
-  while (!left.done() || !right.done()) {
+  while (!all_met(operation, left, right)) {
     const bool both = !left.done() && !right.done();
-    const bool left_first = right.done() || (both && left.root(lists).t <= right.root(lists).t);
-    Walk& first = left_first ? left : right;
-    Walk& second = left_first ? right : left;
-    const bool together = both && coincide(first.root(lists), second.root(lists));
-    Root root = first.root(lists);
-    first.pass();
-    bool now = combined(operation, left.inside, right.inside);
+    const bool left_first = right.done() || (both && left.root().t <= right.root().t);
+    const Root* root = left_first ? &left.root() : &right.root();
+    const bool together = both && coincide(left.root(), right.root());
     if (together) {
-      if (now == inside) root = second.root(lists);
-      second.pass();
-      now = combined(operation, left.inside, right.inside);
+      const Root& second = left_first ? right.root() : left.root();
+      (left_first ? left : right).pass();
+      if (combined(operation, left.inside(), right.inside()) == inside) root = &second;
+      (left_first ? right : left).pass();
+    } else {
+      (left_first ? left : right).pass();
     }
-    if (now == inside) continue;
-    inside = now;
+    if (combined(operation, left.inside(), right.inside()) == inside) continue;
+    inside = !inside;
     if (inside)
-      open.enter = root;
-    else if (open.exit = root; open.enter.t < open.exit.t)
-      lists.push_back(open);
+      open.enter = *root;
+    else if (open.exit = *root; open.enter.t < open.exit.t)
+      found.push_back(open);
   }
 }
 
@@ -116,37 +128,46 @@ CsgTree CsgTree::moved(const Transform& outer) const {
   return tree;
 }
 
+namespace {
+
+/// The part of the line inside a leaf.
+std::optional<Interval> intersect_leaf(const CsgTree& tree, std::int32_t number,
+                                       const LocalRay& ray, std::span<const CsgContact> contacts) {
+  const CsgLeaf& leaf = tree.leaves()[static_cast<std::size_t>(number)];
+  const FaceContact* face = nullptr;
+  for (const CsgContact& contact : contacts)
+    if (contact.leaf == number) {
+      face = &contact.face;
+      break;
+    }
+  auto found = std::visit(
+      [&](const auto& solid) { return intersect(solid, local_ray(leaf.to_tree, ray), face); },
+      leaf.solid);
+  if (found) found->enter.face.leaf = found->exit.face.leaf = number;
+  return found;
+}
+
+} // namespace
+
 void intersect(const CsgTree& tree, const LocalRay& ray, std::span<const CsgContact> contacts,
                std::vector<Interval>& intervals) {
   // Each pending result is a run of `intervals`; `starts` remembers where the runs begin.
-  thread_local std::vector<std::size_t> starts;
-  starts.clear();
+  ShortVector<std::size_t, 16> starts;
   for (const CsgTree::Step& step : tree.steps()) {
     if (step.leaf >= 0) {
-      const CsgLeaf& leaf = tree.leaves()[static_cast<std::size_t>(step.leaf)];
-      const FaceContact* face = nullptr;
-      for (const CsgContact& contact : contacts)
-        if (contact.leaf == step.leaf) {
-          face = &contact.face;
-          break;
-        }
       starts.push_back(intervals.size());
-      auto found = std::visit(
-          [&](const auto& solid) { return intersect(solid, local_ray(leaf.to_tree, ray), face); },
-          leaf.solid);
-      if (found) {
-        found->enter.face.leaf = found->exit.face.leaf = step.leaf;
-        intervals.push_back(*found);
-      }
+      const auto found = intersect_leaf(tree, step.leaf, ray, contacts);
+      if (found) intervals.push_back(*found);
       continue;
     }
-    const std::size_t middle = starts.back();
-    starts.pop_back();
-    const std::size_t begin = starts.back(), end = intervals.size();
-    merge(step.operation, intervals, begin, middle, end);
-    const auto first = intervals.begin();
-    intervals.erase(first + static_cast<std::ptrdiff_t>(begin),
-                    first + static_cast<std::ptrdiff_t>(end));
+    const std::size_t middle = starts[starts.size() - 1];
+    starts.erase(starts.size() - 1);
+    const std::size_t begin = starts[starts.size() - 1];
+    const Intervals all(intervals);
+    ShortVector<Interval, 4> found;
+    merge(step.operation, all.subspan(begin, middle - begin), all.subspan(middle), found);
+    intervals.resize(begin);
+    intervals.insert(intervals.end(), found.begin(), found.end());
   }
 }
 

@@ -19,6 +19,13 @@ float rounded_up(double value) {
   return nearest + std::abs(nearest) * 0x1p-23f;
 }
 
+/// The same for four values.
+__m128 rounded_up(const __m256d& values) {
+  const __m128 nearest = _mm256_cvtpd_ps(values);
+  const __m128 size = _mm_andnot_ps(_mm_set1_ps(-0.0f), nearest);
+  return _mm_add_ps(nearest, _mm_mul_ps(size, _mm_set1_ps(0x1p-23f)));
+}
+
 /// A ray against eight boxes at once, in single precision. No box is missed whose content the
 /// double ray may meet at t >= 0:
 /// - The ray begins where it comes near the hierarchy (`advance`), at o from the centre, and has
@@ -42,17 +49,28 @@ public:
       o += advance_ * ray.direction;
     }
     const double duration = (glm::length(o) + 2.0 * boxes.radius) / speed;
-    const double moved = std::ldexp(boxes.radius, -22);
+    const double moved = 0x1p-22 * boxes.radius;
     const double margin = 4.0 * ray.shift_at(advance_ + duration, mesh.size()) + moved;
-    for (int i = 0; i < 3; ++i) {
-      const auto a = static_cast<std::size_t>(i);
-      const bool forwards = ray.direction[i] >= 0.0;
-      const double d = std::max(std::abs(ray.direction[i]), moved / duration);
-      per_axis_[a] = static_cast<float>(1.0 / (forwards ? d : -d));
-      const float low = -rounded_up(margin - o[i]), high = rounded_up(o[i] + margin);
-      enter_from_[a] = forwards ? high : low;
-      leave_from_[a] = forwards ? low : high;
-      forwards_[a] = forwards;
+    // All three axes at once; the fourth lane has no meaning.
+    const __m256d origin = _mm256_setr_pd(o.x, o.y, o.z, 0.0);
+    const __m256d direction =
+        _mm256_setr_pd(ray.direction.x, ray.direction.y, ray.direction.z, 1.0);
+    const __m256d sign = _mm256_set1_pd(-0.0), margins = _mm256_set1_pd(margin);
+    const __m256d backwards = _mm256_cmp_pd(direction, _mm256_setzero_pd(), _CMP_LT_OQ);
+    const __m256d least =
+        _mm256_max_pd(_mm256_andnot_pd(sign, direction), _mm256_set1_pd(moved / duration));
+    const __m256d turned = _mm256_xor_pd(least, _mm256_and_pd(backwards, sign));
+    _mm_store_ps(per_axis_.data(), _mm256_cvtpd_ps(_mm256_div_pd(_mm256_set1_pd(1.0), turned)));
+    const __m128 high = rounded_up(_mm256_add_pd(origin, margins));
+    const __m128 low = _mm_xor_ps(_mm_set1_ps(-0.0f), rounded_up(_mm256_sub_pd(margins, origin)));
+    const unsigned reversed = static_cast<unsigned>(_mm256_movemask_pd(backwards));
+    std::array<float, 4> lows, highs;
+    _mm_storeu_ps(lows.data(), low);
+    _mm_storeu_ps(highs.data(), high);
+    for (std::size_t i = 0; i < 3; ++i) {
+      forwards_[i] = (reversed >> i & 1u) == 0;
+      enter_from_[i] = forwards_[i] ? highs[i] : lows[i];
+      leave_from_[i] = forwards_[i] ? lows[i] : highs[i];
     }
   }
 
@@ -82,7 +100,8 @@ public:
 
 private:
   double advance_ = 0.0;
-  std::array<float, 3> enter_from_{}, leave_from_{}, per_axis_{};
+  std::array<float, 3> enter_from_{}, leave_from_{};
+  alignas(16) std::array<float, 4> per_axis_{};
   std::array<bool, 3> forwards_{};
 };
 

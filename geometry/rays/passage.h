@@ -17,15 +17,11 @@ public:
   /// moved, it has crossed faces again in the same sense, twice in turn. So every walk ends, since
   /// the ray moves or the faces at its place are used up.
   [[nodiscard]] bool go_through(const Hit& hit, RayState& state) {
-    if (hit.moved) {
-      crossed_.clear(); // the contacts alone say what the ray has crossed
-      repeats_ = false;
-    } else if (!cross_at_one_place(hit, state.contacts)) {
-      return false;
-    }
+    if (!hit.moved) return go_through_at_one_place(hit, state);
+    crossed_.clear(); // the contacts alone say what the ray has crossed
+    repeats_ = false;
     state.ray.origin = hit.point;
-    state.contacts = hit.other_side;
-    state.nesting = hit.nesting_after;
+    hit.go_on(true, state.contacts, state.nesting);
     return true;
   }
 
@@ -34,14 +30,16 @@ public:
   [[nodiscard]] const Contacts& crossed() const { return crossed_; }
 
 private:
-  [[gnu::noinline]] bool cross_at_one_place(const Hit& hit, const Contacts& before) {
-    if (crossed_.empty()) crossed_ = before;
+  [[gnu::noinline]] bool go_through_at_one_place(const Hit& hit, RayState& state) {
+    if (crossed_.empty()) crossed_ = state.contacts;
+    const RayState behind = hit.going_on(state.ray.direction, true);
     const bool again =
-        std::find(crossed_.begin(), crossed_.end(), hit.other_side[0]) != crossed_.end();
+        std::find(crossed_.begin(), crossed_.end(), behind.contacts[0]) != crossed_.end();
     if (again && repeats_) return false;
     repeats_ = again;
-    for (const SurfaceContact& contact : hit.other_side)
+    for (const SurfaceContact& contact : behind.contacts)
       crossed_.push_back(contact);
+    state = behind;
     return true;
   }
 

@@ -45,6 +45,13 @@ public:
       release();
     size_ = 0;
   }
+  /// Makes the value the only one.
+  void assign(const T& value) {
+    if (is_long()) [[unlikely]]
+      release();
+    std::construct_at(values_, value);
+    size_ = 1;
+  }
   void push_back(const T& value) {
     if (size_ >= Inline) [[unlikely]]
       return push_long(value);

@@ -81,6 +81,15 @@ ConvexPolyhedron::ConvexPolyhedron(std::vector<HalfSpace> half_spaces)
     h.normal /= length;
     h.offset /= length;
   }
+  fours_.resize((half_spaces_.size() + 3) / 4);
+  for (std::size_t i = 0; i < half_spaces_.size(); ++i) {
+    FourHalfSpaces& four = fours_[i / 4];
+    const HalfSpace& h = half_spaces_[i];
+    four.x[i % 4] = h.normal.x;
+    four.y[i % 4] = h.normal.y;
+    four.z[i % 4] = h.normal.z;
+    four.offset[i % 4] = h.offset;
+  }
   vertices_ = corners(half_spaces_);
   if (open_somewhere(half_spaces_))
     throw std::invalid_argument("the planes leave the solid open to infinity");

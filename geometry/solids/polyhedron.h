@@ -2,6 +2,7 @@
 
 #include "geometry/rays/plane_interval.h"
 #include "geometry/rays/transform.h"
+#include "geometry/rays/wide.h"
 
 #include <cmath>
 #include <optional>
@@ -15,20 +16,11 @@ struct HalfSpace {
   double offset = 0.0;
 };
 
-/// Cuts the candidate interval with one half-space [War05, 4.8.2]: with numer = offset - n.o and
-/// denom = n.d the line crosses the plane at numer / denom; it enters where denom < 0 and leaves
-/// where denom > 0. A parallel line (denom = 0) is wholly outside where numer < 0 (the thesis
-/// prints the two parallel cases the other way round). Returns false when nothing remains.
-[[nodiscard]] bool narrow(PlaneInterval& candidate, const HalfSpace& half_space, int face,
-                          const RayInFrame auto& ray) {
-  const double denom = glm::dot(half_space.normal, ray.direction);
-  const double numer = half_space.offset - glm::dot(half_space.normal, ray.origin);
-  if (denom == 0.0) return numer >= 0.0;
-  const double t = numer / denom;
-  if (denom < 0.0 && t > candidate.enter.t) candidate.enter = {t, face};
-  if (denom > 0.0 && t < candidate.exit.t) candidate.exit = {t, face};
-  return candidate.enter.t <= candidate.exit.t;
-}
+/// Four half-spaces, for one instruction to work on all. A normal of zero stands for none.
+struct FourHalfSpaces {
+  Wide x{}, y{}, z{}; ///< of the normals
+  Wide offset{};
+};
 
 /// A bounded intersection of half-spaces; face i is the plane of half-space i.
 class ConvexPolyhedron {
@@ -38,10 +30,13 @@ public:
   explicit ConvexPolyhedron(std::vector<HalfSpace> half_spaces);
 
   [[nodiscard]] const std::vector<HalfSpace>& half_spaces() const { return half_spaces_; }
+  /// The same, four at a time.
+  [[nodiscard]] const std::vector<FourHalfSpaces>& fours() const { return fours_; }
   [[nodiscard]] const std::vector<dvec3>& vertices() const { return vertices_; }
 
 private:
   std::vector<HalfSpace> half_spaces_;
+  std::vector<FourHalfSpaces> fours_;
   std::vector<dvec3> vertices_;
 };
 
@@ -49,29 +44,64 @@ private:
 /// apex at z = -2, from y = -1 to y = 1. Faces: top, bottom, front, left, right.
 [[nodiscard]] ConvexPolyhedron thesis_prism();
 
+/// Where a line crosses four planes at once, and the nearest of many crossings in each of four
+/// lanes.
+struct FourPlaneRoots {
+  using Faces = std::int64_t __attribute__((vector_size(sizeof(Wide))));
+
+  Wide t;
+  Faces face{};
+
+  /// Takes what lies at `other`, in the lanes of the mask.
+  void take(const Faces& lanes, const Wide& other, const Faces& others) {
+    t = lanes ? other : t;
+    face = lanes ? others : face;
+  }
+  /// The nearest (or with `farthest` the farthest) of the four, of equals the one that was met
+  /// first when faces are asked in turn.
+  [[nodiscard]] PlaneRoot first(bool farthest) const {
+    int best = 0;
+    for (int i = 1; i < 4; ++i) {
+      const bool better = farthest ? t[i] > t[best] : t[i] < t[best];
+      if (better || (t[i] == t[best] && face[i] < face[best])) best = i;
+    }
+    return {t[best], static_cast<std::int32_t>(face[best])};
+  }
+};
+
 /// The part of the ray's line inside the solid. With a contact the root of its face is t = 0.
+///
+/// Each half-space cuts the interval [War05, 4.8.2]: with numer = offset - n.o and denom = n.d the
+/// line crosses the plane at numer / denom; it enters where denom < 0 and leaves where denom > 0. A
+/// parallel line (denom = 0) is wholly outside where numer < 0 (the thesis prints the two parallel
+/// cases the other way round).
 [[nodiscard]] std::optional<PlaneInterval> plane_interval(const ConvexPolyhedron& solid,
                                                           const RayInFrame auto& ray,
                                                           const FaceContact* contact) {
-  const std::vector<HalfSpace>& planes = solid.half_spaces();
-  const int count = static_cast<int>(planes.size());
-  PlaneInterval inside;
-  if (!contact) {
-    for (int i = 0; i < count; ++i)
-      if (!narrow(inside, planes[static_cast<std::size_t>(i)], i, ray)) return std::nullopt;
-    return inside;
+  using Faces = FourPlaneRoots::Faces;
+  if (contact && contact->side == Side::outside) return std::nullopt; // convex: never met again
+  const dvec3 &o = ray.origin, &d = ray.direction;
+  const Wide one{1.0, 1.0, 1.0, 1.0};
+  FourPlaneRoots enter{-kInfinity * one}, exit{kInfinity * one};
+  Faces outside{};
+  Faces faces{0, 1, 2, 3};
+  const std::int64_t touched = contact ? contact->face : -1;
+  for (const FourHalfSpaces& planes : solid.fours()) {
+    const Wide denom = planes.x * d.x + planes.y * d.y + planes.z * d.z;
+    const Wide numer = planes.offset - (planes.x * o.x + planes.y * o.y + planes.z * o.z);
+    const Wide t = numer / (denom != 0.0 ? denom : one);
+    exit.take((denom > 0.0) & (t < exit.t) & (faces != touched), t, faces);
+    if (!contact) {
+      enter.take((denom < 0.0) & (t > enter.t), t, faces);
+      outside |= (denom == 0.0) & (numer < 0.0);
+    }
+    faces += 4;
   }
-  if (contact->side == Side::outside) return std::nullopt; // convex: never met again
-  // Known to be inside: every other face can only end the interval, never begin or empty it.
-  for (int i = 0; i < count; ++i) {
-    if (i == contact->face) continue;
-    const HalfSpace& plane = planes[static_cast<std::size_t>(i)];
-    const double denom = glm::dot(plane.normal, ray.direction);
-    if (denom <= 0.0) continue;
-    const double t = (plane.offset - glm::dot(plane.normal, ray.origin)) / denom;
-    if (t < inside.exit.t) inside.exit = {t, i};
-  }
-  inside.enter = {0.0, contact->face};
+  // A ray that is known to be inside only leaves: no face begins or empties its interval.
+  if (contact) return PlaneInterval{{0.0, contact->face}, exit.first(false)};
+  if ((outside[0] | outside[1] | outside[2] | outside[3]) != 0) return std::nullopt;
+  const PlaneInterval inside{enter.first(true), exit.first(false)};
+  if (inside.enter.t > inside.exit.t) return std::nullopt;
   return inside;
 }
 /// The bound of a root's error.

@@ -48,37 +48,32 @@ void place(const ShapeTable& shapes, const ShapeTable::Row& row, const dvec3& ne
   return same ? normal : hit.normal;
 }
 
-void enter_or_leave(Nesting& nesting, ShapeId shape, bool entering) {
-  const auto* found = std::find(nesting.begin(), nesting.end(), shape);
-  if (!entering && found != nesting.end())
-    nesting.erase(static_cast<std::size_t>(found - nesting.begin()));
-  if (entering && found == nesting.end()) nesting.push_back(shape);
-}
-
 /// The crossing that shows, never the one that rounding happens to put first.
-const Candidate& shown(const ShapeTable& shapes, const Coincident& crossings) {
+[[gnu::noinline]] const Candidate& shown(const ShapeTable& shapes, const Coincident& crossings) {
   const Candidate* highest = crossings.begin();
   for (const Candidate& c : crossings)
     if (&c != highest && shows_before(shapes, c.shape, highest->shape)) highest = &c;
   return *highest;
 }
 
-[[gnu::always_inline]] inline void touch(Hit& hit, const Candidate& c) {
-  const bool entering = c.crossing.entering;
-  hit.same_side.push_back({c.shape, c.crossing.face, entering ? Side::outside : Side::inside});
-  hit.other_side.push_back({c.shape, c.crossing.face, entering ? Side::inside : Side::outside});
+/// The other crossings of the boundary.
+[[gnu::noinline]] void add_beside(const ShapeTable& shapes, const Coincident& crossings, Hit& hit) {
+  for (const Candidate& c : crossings)
+    if (c.shape != hit.shape)
+      hit.beside.push_back({c.shape, c.crossing.face,
+                            c.crossing.entering ? Side::outside : Side::inside, true,
+                            shapes[c.shape].solid});
 }
 
 /// Where the ray has not moved, it still lies on the surfaces it lay on: a ray in a corner meets
 /// one wall after another.
-void keep_contacts(Hit& hit, const Contacts& contacts) {
+[[gnu::noinline]] void keep_contacts(const Contacts& contacts, Hit& hit) {
   for (const SurfaceContact& old : contacts) {
-    const bool crossed =
-        std::any_of(hit.same_side.begin(), hit.same_side.end(),
-                    [&](const SurfaceContact& contact) { return contact.shape == old.shape; });
-    if (crossed) continue;
-    hit.same_side.push_back(old);
-    hit.other_side.push_back(old);
+    const bool crossed = old.shape == hit.shape || std::any_of(hit.beside.begin(), hit.beside.end(),
+                                                               [&](const SurfaceBeside& beside) {
+                                                                 return beside.shape == old.shape;
+                                                               });
+    if (!crossed) hit.beside.push_back({old.shape, old.face, old.side, false, false});
   }
 }
 
@@ -134,35 +129,44 @@ MediumId prevailing_medium(const ShapeTable& shapes, const Nesting& nesting) {
   return prevailing ? prevailing->medium : MediumId{};
 }
 
+namespace {
+
+/// The medium behind a boundary. Most rays enter a solid from the open, or leave the only one.
+MediumId medium_behind(const ShapeTable& shapes, const ShapeTable::Row& shown, const Hit& hit) {
+  if (hit.beside.empty()) [[likely]] {
+    if (!hit.solid) return hit.medium_before;
+    const Nesting& before = hit.nesting_before;
+    if (hit.entering && before.empty()) return shown.medium;
+    if (!hit.entering && before.size() == 1 && before[0] == hit.shape) return {};
+  }
+  return medium_of(shapes, hit.nesting_after());
+}
+
+} // namespace
+
 bool resolve(const ShapeTable& shapes, const RayState& state, const Coincident& crossings,
              Hit& hit) {
-  const Candidate& seen = shown(shapes, crossings);
+  const bool single = crossings.size() == 1;
+  const Candidate& seen = single ? crossings[0] : shown(shapes, crossings);
   const ShapeTable::Row& row = shapes[seen.shape];
-  hit.t = crossings.size() == 1 ? seen.crossing.t : common_place(crossings, seen.crossing.t);
+  hit.t = single ? seen.crossing.t : common_place(crossings, seen.crossing.t);
   hit.shape = seen.shape;
   hit.face = seen.crossing.face;
   hit.entering = seen.crossing.entering;
+  hit.solid = row.solid;
   hit.material = material_of(row, hit.face);
   place(shapes, row, state.ray.at(hit.t), hit);
   hit.shading_normal = row.smooth ? smooth_normal(row, state.ray.direction, hit) : hit.normal;
-
-  hit.same_side.clear();
-  hit.other_side.clear();
-  touch(hit, seen); // the surface that shows comes first
-  hit.nesting_before = state.nesting;
-  hit.nesting_after = state.nesting;
-  bool changes = false;
-  for (const Candidate& c : crossings) {
-    if (c.shape != seen.shape) touch(hit, c);
-    if (!shapes[c.shape].solid) continue;
-    enter_or_leave(hit.nesting_after, c.shape, c.crossing.entering);
-    changes = true;
-  }
+  hit.bent = row.smooth && hit.shading_normal != hit.normal;
   hit.moved = !has_not_moved(state, seen.crossing.t_error, hit);
-  if (hit.t == 0.0) keep_contacts(hit, state.contacts);
+
+  hit.nesting_before = state.nesting;
+  hit.beside.clear();
+  if (!single) add_beside(shapes, crossings, hit);
+  if (hit.t == 0.0) keep_contacts(state.contacts, hit);
 
   hit.medium_before = medium_of(shapes, hit.nesting_before);
-  hit.medium_after = changes ? medium_of(shapes, hit.nesting_after) : hit.medium_before;
+  hit.medium_after = medium_behind(shapes, row, hit);
   return !row.medium.valid() || hit.medium_before != hit.medium_after;
 }
 

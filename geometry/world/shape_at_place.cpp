@@ -3,6 +3,7 @@
 #include "geometry/rays/largest_component.h"
 
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 namespace abbe {
@@ -64,8 +65,11 @@ Departure departure_from(const Mesh& mesh, const LocalRay& ray) {
 Departure departure(const PlacedShape& placed, const Ray& ray, double place_error) {
   const LocalRay in_world{ray.origin, ray.direction, place_error, 0.0};
   return std::visit(
-      [&](const auto& shape) {
-        return departure_from(shape, local_ray(placed.to_world, in_world));
+      [&]<class S>(const S& shape) {
+        if constexpr (std::is_same_v<S, CsgTree>)
+          return departure_from(shape, in_world); // its leaves are placed in the world already
+        else
+          return departure_from(shape, local_ray(placed.to_world, in_world));
       },
       placed.shape);
 }

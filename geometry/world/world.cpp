@@ -138,6 +138,7 @@ struct World::Impl {
   ShapeTable table;
   ShapeGroups groups;
   std::vector<const ShapeGroup*> attached; ///< by Embree's number of the geometry
+  std::vector<double> surface_errors;      ///< by shape, see surface_error()
   double farthest_coordinate; ///< of the bounded shapes, and of all places where rays begin
   std::string error;          ///< Embree's, while the world is built
   embree::Device device;
@@ -181,9 +182,12 @@ World::Impl::Impl(const std::vector<PlacedShape>& placed, double farthest_origin
         static_cast<Impl*>(self)->error = message ? message : "unknown error";
       },
       this);
-  for (const PlacedShape& shape : shapes)
+  surface_errors.reserve(shapes.size());
+  for (const PlacedShape& shape : shapes) {
+    surface_errors.push_back(surface_error(shape));
     if (is_bounded(shape.shape))
       farthest_coordinate = std::max(farthest_coordinate, bounds(shape).largest_coordinate());
+  }
   groups.fill({{}, bounds_padding(farthest_coordinate)});
   for (std::size_t i = 0; i < shapes.size(); ++i)
     groups[shapes[i].shape.index()].primitives.emplace_back(shapes[i],
@@ -426,21 +430,28 @@ RayState World::start_at(const Ray& ray) const {
 std::optional<RayState> World::start_on(const SurfaceContact& contact, const Ray& ray) const {
   RayState state{ray, {}, {}};
   state.contacts.push_back(contact);
-  const double error = surface_error(impl_->shapes[contact.shape.index()]);
+  const double error = impl_->surface_errors[contact.shape.index()];
   if (!impl_->begin(contact.shape, error, state)) return std::nullopt;
   if (contact.side == Side::inside && impl_->table[contact.shape].solid)
     state.nesting.push_back(contact.shape);
   return state;
 }
 
-bool World::shows(ShapeId shape, const Ray& ray, double distance) const {
+bool World::shows(ShapeId shape, std::span<const ShapeId> hiders, const Ray& ray,
+                  double distance) const {
   const PlacedShape& placed = impl_->shapes[shape.index()];
   dvec3 place = ray.at(distance);
   if (const auto* ball = std::get_if<Sphere>(&placed.shape))
     place = placed.to_world.point(snapped(*ball, placed.to_world.inverse_point(place), FaceId{}));
-  const double error =
-      surface_error(placed) + 8.0 * kRoundoff * (largest_component(ray.origin) + distance);
-  RayState state{{place, ray.direction}, {}, {}};
+  const double error = impl_->surface_errors[shape.index()] +
+                       8.0 * kRoundoff * (largest_component(ray.origin) + distance);
+  const Ray there{place, ray.direction};
+  constexpr std::size_t kFew = 4; // are asked faster than found
+  if (hiders.size() <= kFew)
+    return std::none_of(hiders.begin(), hiders.end(), [&](ShapeId id) {
+      return departure(impl_->shapes[id.index()], there, error).face.has_value();
+    });
+  RayState state{there, {}, {}};
   return impl_->begin(shape, error, state);
 }
 
@@ -450,11 +461,12 @@ bool World::stands_alone(ShapeId shape) const {
   return alone;
 }
 
-bool World::may_be_hidden(ShapeId shape) const {
-  bool hidden = false;
-  impl_->for_each_beside(
-      shape, [&](ShapeId other) { hidden |= shows_before(impl_->table, other, shape); });
-  return hidden;
+std::vector<ShapeId> World::hiders(ShapeId shape) const {
+  std::vector<ShapeId> hiders;
+  impl_->for_each_beside(shape, [&](ShapeId other) {
+    if (shows_before(impl_->table, other, shape)) hiders.push_back(other);
+  });
+  return hiders;
 }
 
 MediumId World::medium_of(const Nesting& nesting) const {

@@ -65,13 +65,16 @@ public:
   /// another surface shows there.
   [[nodiscard]] std::optional<RayState> start_on(const SurfaceContact& contact,
                                                  const Ray& ray) const;
-  /// Whether a shape's surface, to which a ray comes at a distance, shows there.
-  [[nodiscard]] bool shows(ShapeId shape, const Ray& ray, double distance) const;
+  /// Whether a shape's surface, to which a ray comes at a distance, shows there. `hiders` are those
+  /// of the shape.
+  [[nodiscard]] bool shows(ShapeId shape, std::span<const ShapeId> hiders, const Ray& ray,
+                           double distance) const;
+  /// The other shapes that may show in a place of this one: none where it surely shows wherever it
+  /// is seen.
+  [[nodiscard]] std::vector<ShapeId> hiders(ShapeId shape) const;
   /// True when no other shape comes near this one: rays that begin on it begin in no solid and on
   /// no other surface.
   [[nodiscard]] bool stands_alone(ShapeId shape) const;
-  /// False when this shape surely shows wherever it is seen.
-  [[nodiscard]] bool may_be_hidden(ShapeId shape) const;
   /// The medium at a place inside these solids: that of the highest priority, among equals of
   /// the shape defined last. Invalid where no solid has a medium.
   [[nodiscard]] MediumId medium_of(const Nesting& nesting) const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/commands/convert_command.h"
+#include "io/commands/denoise_command.h"
 #include "io/commands/develop_command.h"
 #include "io/commands/diff_command.h"
 #include "io/commands/glass_command.h"
@@ -36,9 +37,10 @@ struct Answered {
 /// `kName` and `kHelp`; `add_options` adds what can be given to the command line, and `run` returns
 /// the exit code of the program. Where it has a member `given`, it gets the names of all options
 /// that were given.
-using Command = std::variant<Answered, RenderCommand, MergeCommand, DevelopCommand, RelightCommand,
-                             ConvertCommand, PlanCommand, ListCommand, GlassCommand, LensCommand,
-                             InfoCommand, PixelCommand, LineCommand, RegionCommand, DiffCommand,
-                             ViewCommand, PreviewCommand, SelftestCommand, ManualCommand>;
+using Command =
+    std::variant<Answered, RenderCommand, MergeCommand, DevelopCommand, DenoiseCommand,
+                 RelightCommand, ConvertCommand, PlanCommand, ListCommand, GlassCommand,
+                 LensCommand, InfoCommand, PixelCommand, LineCommand, RegionCommand, DiffCommand,
+                 ViewCommand, PreviewCommand, SelftestCommand, ManualCommand>;
 
 } // namespace abbe

@@ -1,6 +1,7 @@
 #include "io/commands/convert_command.h"
 
 #include "core/scene/user_error.h"
+#include "io/commands/setting_options.h"
 #include "io/console/terminal.h"
 #include "io/converting/scene_writer.h"
 #include "io/scene_files/read_scene_file.h"
@@ -11,17 +12,12 @@
 namespace abbe {
 
 void add_options(CLI::App& app, ConvertCommand& command) {
-  app.add_option("scene", command.scene, "Scene file (" + known_scene_extensions() + ")")
-      ->required()
-      ->type_name("SCENE");
+  add_scene(app, command.scene, command.strictness);
   app.add_option("output", command.output,
                  "The scene to be written (.sdl); meshes, spectra and pictures get its name with "
                  "an ending of their own")
       ->required()
       ->type_name("FILE");
-  app.add_flag_callback(
-      "--lenient", [&command] { command.strictness = Strictness::lenient; },
-      "Warn of what is not understood, and go on without it");
 }
 
 int run(const ConvertCommand& command) {

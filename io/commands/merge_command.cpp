@@ -88,7 +88,7 @@ int run(const MergeCommand& command) {
   if (!command.quiet) say(summary(rendering));
   say_warning(light_warning(rendering));
   const DisplaySettings display = overridden(request.scene.display, command.display);
-  return write_outputs(rendering, plan, outputs, command.output, display, command.quiet)
+  return write_outputs({rendering, plan}, outputs, command.output, display, command.quiet)
              ? 0
              : kExitFailure;
 }

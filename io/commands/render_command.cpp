@@ -1,5 +1,6 @@
 #include "io/commands/render_command.h"
 
+#include "core/image/develop.h"
 #include "core/planning/plan_extent.h"
 #include "core/render/memory_need.h"
 #include "core/render/peer_sums.h"
@@ -111,6 +112,8 @@ void add_options(CLI::App& app, RenderCommand& command) {
   add_output_options(app, command.output);
   add_memory_limit(app, command.memory_limit_gib);
   add_state_options(app, command.states);
+  app.add_flag("--denoise", command.output.denoise,
+               "Take the noise out of pictures and bands by what else is known of their pixels");
   app.add_option_function<std::string>(
          "--display-server",
          [&command](const std::string& place) { command.display_server = place; },
@@ -179,6 +182,22 @@ void check_peers(const Peers& peers, const RenderCommand& command, const Request
     throw UserError("--plan-out makes a plan by one process. Use abbe without MPI");
 }
 
+/// Asks for the layers that the filter goes by.
+void prepare_denoising(Request& request, const Outputs& outputs) {
+  if (outputs.images.empty())
+    throw UserError("--denoise is for pictures, and this writes none. Render parts with --layers "
+                    "denoise, and give what abbe merge makes of them to abbe denoise");
+  RenderSettings& settings = request.scene.settings;
+  if (settings.samples_per_pixel < 2)
+    throw UserError("--denoise needs two samples per pixel, which tell how noisy it is. Give --spp "
+                    "2 or more");
+  const ExtraLayers before = settings.layers;
+  (void)add_layers("denoise", settings.layers);
+  if (request.resumed && settings.layers != before)
+    throw UserError("this state has no layers for --denoise. They are kept where a rendering is "
+                    "begun with --denoise, or --layers denoise");
+}
+
 RenderState begin(const RenderCommand& command, Request& request, const Plan& plan,
                   const BandPlace& bands, const Peers& peers) {
   const Scene& scene = request.scene.scene;
@@ -239,6 +258,8 @@ int run(const RenderCommand& command, const Peers& peers) {
   const Scene& scene = request.scene.scene;
   check_peers(peers, command, request);
   const Outputs outputs = outputs_of(command, scene, request.part);
+  const ExtraLayers asked = request.scene.settings.layers;
+  if (command.output.denoise) prepare_denoising(request, outputs);
   if (peers.is_first()) check_outputs(outputs, request.inputs);
   const DisplaySettings display = overridden(scene.display, command.display);
   check_ocio(command.output);
@@ -293,8 +314,10 @@ int run(const RenderCommand& command, const Peers& peers) {
 
   if (!rendering.complete) return write_partial(rendering, plan, outputs, command.output);
   say_warning(warning_of_darkness(scene, plan, rendering));
-  const bool written =
-      write_outputs(rendering, plan, outputs, command.output, display, command.quiet);
+  std::optional<DenoisedPictures> denoised;
+  if (command.output.denoise) denoised.emplace(rendering.film, plan, asked);
+  const bool written = write_outputs({rendering, plan, denoised ? &*denoised : nullptr}, outputs,
+                                     command.output, display, command.quiet);
   return written && done.kept ? 0 : kExitFailure;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "io/building/strictness.h"
 #include "io/commands/state_options.h"
 #include "io/images/write_image.h"
-#include "io/building/strictness.h"
 #include "io/settings/setting_text.h"
 
 #include <filesystem>

@@ -13,8 +13,6 @@
 namespace abbe {
 namespace {
 
-constexpr std::string_view kAdvice = "Check the file with the glTF validator";
-
 enum class ComponentType : std::uint16_t {
   int8 = 5120,
   uint8 = 5121,
@@ -46,7 +44,7 @@ ComponentType component_type(const GltfValue& value) {
         ComponentType::uint32, ComponentType::float32})
     if (number == static_cast<std::size_t>(type)) return type;
   throw ReadError(value.where(), "the numbers have no type that is known",
-                  "componentType is one of 5120 to 5123, 5125 and 5126", std::string(kAdvice));
+                  "componentType is one of 5120 to 5123, 5125 and 5126", std::string(kGltfAdvice));
 }
 
 /// Where the elements of an accessor, or of what replaces some of them, lie.
@@ -65,7 +63,7 @@ Elements find_elements(GltfState& state, const GltfValue& user, ComponentType ty
       user.index("bufferView", state.document.all("bufferViews").size(), "bufferViews");
   if (!view)
     throw ReadError(user.where(), "the accessor has no numbers", "it names no bufferView",
-                    std::string(kAdvice));
+                    std::string(kGltfAdvice));
   const GltfBytes found = state.document.buffer_view(user, *view, state.files);
   const std::size_t size = components * size_of(type);
   const std::size_t stride = found.stride > 0 ? found.stride : size;
@@ -78,7 +76,7 @@ Elements find_elements(GltfState& state, const GltfValue& user, ComponentType ty
         user.where(), "the accessor reaches beyond its bufferView",
         fmt::format("{} elements of {} bytes, {} apart, from byte {} on do not lie in {}", count,
                     size, stride, offset, found.bytes.size()),
-        std::string(kAdvice));
+        std::string(kGltfAdvice));
   return {found.bytes.substr(offset), stride, count, components, type, false};
 }
 
@@ -134,7 +132,7 @@ std::size_t components_of(const GltfValue& accessor) {
   for (const auto& [name, components] : kTypes)
     if (type == name) return components;
   throw ReadError(accessor.where(), fmt::format("the accessor is of the type \"{}\"", type),
-                  "scalars and vectors are read", std::string(kAdvice));
+                  "scalars and vectors are read", std::string(kGltfAdvice));
 }
 
 /// Puts the elements that a sparse accessor lists into their places.
@@ -145,7 +143,7 @@ void add_sparse(GltfState& state, const GltfValue& sparse, const Elements& all,
   if (!indices || !values || count > all.count)
     throw ReadError(sparse.where(), "the sparse accessor is incomplete",
                     "it has indices, values and a count of no more than all elements",
-                    std::string(kAdvice));
+                    std::string(kGltfAdvice));
   const auto places =
       numbers_of<std::uint32_t>(find_elements(state, *indices, component_type(*indices), count, 1));
   Elements elements = find_elements(state, *values, all.type, count, all.components);
@@ -154,7 +152,7 @@ void add_sparse(GltfState& state, const GltfValue& sparse, const Elements& all,
   for (std::size_t i = 0; i < count; ++i) {
     if (places[i] >= all.count)
       throw ReadError(indices->where(), fmt::format("{} is no element", places[i]),
-                      fmt::format("there are {}", all.count), std::string(kAdvice));
+                      fmt::format("there are {}", all.count), std::string(kGltfAdvice));
     std::copy_n(replaced.begin() + static_cast<std::ptrdiff_t>(i * all.components), all.components,
                 numbers.begin() + static_cast<std::ptrdiff_t>(places[i] * all.components));
   }
@@ -169,7 +167,7 @@ std::vector<double> read_accessor(GltfState& state, const GltfValue& user, std::
     throw ReadError(
         value.where(),
         fmt::format("the accessor has {} numbers in each element", components_of(value)),
-        fmt::format("{} needs {}", user.pointer(), components), std::string(kAdvice));
+        fmt::format("{} needs {}", user.pointer(), components), std::string(kGltfAdvice));
   const ComponentType type = component_type(value);
   const std::size_t count = value.whole("count").value_or(0);
   Elements elements = find_elements(state, value, type, count, components);
@@ -184,7 +182,7 @@ std::vector<std::uint32_t> read_indices(GltfState& state, std::size_t accessor) 
   const ComponentType type = component_type(value);
   if (components_of(value) != 1 || type == ComponentType::float32)
     throw ReadError(value.where(), "the indices are no whole numbers",
-                    "they are scalars of 8, 16 or 32 bits", std::string(kAdvice));
+                    "they are scalars of 8, 16 or 32 bits", std::string(kGltfAdvice));
   return numbers_of<std::uint32_t>(
       find_elements(state, value, type, value.whole("count").value_or(0), 1));
 }

@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::uint32_t kMagic = 0x46546C67u; // "glTF"
 constexpr std::uint32_t kJson = 0x4E4F534Au, kBinary = 0x004E4942u;
-constexpr std::string_view kAdvice = "Check the file with the glTF validator";
 
 /// A number of four bytes, the lowest first; the caller has checked that they are there.
 std::uint32_t number_at(std::string_view bytes, std::size_t place) {
@@ -90,7 +89,7 @@ void GltfDocument::read_chunks(std::string_view bytes) {
   const auto fail = [&](std::size_t place, std::string_view what) {
     throw ReadError(SourcePosition{name_, 0, 0}, fmt::format("at byte {}, {}", place, what),
                     "a .glb is a header of 12 bytes, JSON, and the bytes of a buffer",
-                    std::string(kAdvice));
+                    std::string(kGltfAdvice));
   };
   if (bytes.size() < 20) fail(bytes.size(), "the file ends within its header");
   if (number_at(bytes, 4) != 2) fail(4, "the version of the file is not 2");
@@ -124,7 +123,7 @@ std::optional<std::string> GltfDocument::data_of(const GltfValue& where, std::st
   auto bytes = mark == uri.npos ? std::nullopt : base64_decoded(uri.substr(mark + kMark.size()));
   if (!bytes)
     throw ReadError(where.where(), "the data in this URI cannot be read", "it is not base64",
-                    std::string(kAdvice));
+                    std::string(kGltfAdvice));
   return bytes;
 }
 
@@ -164,7 +163,7 @@ GltfBytes GltfDocument::buffer_view(const GltfValue& accessor, std::size_t index
   const auto number = view.index("buffer", all("buffers").size(), "buffers");
   if (!number)
     throw ReadError(view.where(), "the bufferView names no buffer", "its bytes lie in one",
-                    std::string(kAdvice));
+                    std::string(kGltfAdvice));
   const std::string_view bytes = buffer(*number, files);
   const std::size_t offset = view.whole("byteOffset").value_or(0);
   const std::size_t length = view.whole("byteLength").value_or(0);
@@ -172,7 +171,7 @@ GltfBytes GltfDocument::buffer_view(const GltfValue& accessor, std::size_t index
     throw ReadError(view.where(), "the bufferView reaches beyond its buffer",
                     fmt::format("bytes {} to {} of {} are asked for by {}", offset, offset + length,
                                 bytes.size(), accessor.pointer()),
-                    std::string(kAdvice));
+                    std::string(kGltfAdvice));
   return {bytes.substr(offset, length), view.whole("byteStride").value_or(0)};
 }
 

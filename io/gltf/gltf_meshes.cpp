@@ -14,8 +14,6 @@ namespace {
 
 using glm::dvec3;
 
-constexpr std::string_view kAdvice = "Check the file with the glTF validator";
-
 /// How a primitive lists its corners.
 enum class Mode : std::uint8_t { triangles = 4, strip = 5, fan = 6 };
 
@@ -52,7 +50,8 @@ Polygons read_points(GltfState& state, const GltfValue& primitive, std::size_t p
     const std::vector<double> n = read_accessor(state, primitive, *normals, 3);
     if (n.size() != p.size())
       throw ReadError(primitive.where(), "the primitive has not as many normals as points",
-                      fmt::format("{} and {}", n.size() / 3, p.size() / 3), std::string(kAdvice));
+                      fmt::format("{} and {}", n.size() / 3, p.size() / 3),
+                      std::string(kGltfAdvice));
     polygons.normals.reserve(n.size() / 3);
     for (std::size_t i = 0; i < n.size(); i += 3)
       polygons.normals.emplace_back(n[i], n[i + 1], n[i + 2]);
@@ -70,7 +69,7 @@ std::vector<std::uint32_t> read_corners(GltfState& state, const GltfValue& primi
     for (const std::uint32_t corner : corners)
       if (corner >= points)
         throw ReadError(primitive.where(), fmt::format("{} names no point", corner),
-                        fmt::format("there are {}", points), std::string(kAdvice));
+                        fmt::format("there are {}", points), std::string(kGltfAdvice));
     return corners;
   }
   for (std::size_t i = 0; i < points; ++i)

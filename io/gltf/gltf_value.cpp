@@ -24,7 +24,7 @@ std::string escaped(std::string_view name) {
 
 void GltfValue::fail(std::string_view expected) const {
   throw ReadError(where(), fmt::format("this is not {}", expected), "glTF 2.0 asks for it",
-                  "Check the file with the glTF validator");
+                  std::string(kGltfAdvice));
 }
 
 std::optional<GltfValue> GltfValue::find(std::string_view name) const {
@@ -97,7 +97,7 @@ std::size_t GltfValue::as_index(std::size_t count, std::string_view things) cons
   if (!(value >= 0.0 && value < static_cast<double>(count)) || value != std::floor(value))
     throw ReadError(where(), fmt::format("{:g} names nothing", value),
                     fmt::format("there are {} {}, and they count from 0", count, things),
-                    "Check the file with the glTF validator");
+                    std::string(kGltfAdvice));
   return static_cast<std::size_t>(value);
 }
 

@@ -13,6 +13,9 @@
 
 namespace abbe {
 
+/// What helps where a file is not as glTF 2.0 asks for.
+inline constexpr std::string_view kGltfAdvice = "Check the file with the glTF validator";
+
 /// A value in the JSON of a glTF file, and the JSON pointer that leads to it. All members throw
 /// ReadError with that pointer where a value is not of the kind that is asked for.
 class GltfValue {

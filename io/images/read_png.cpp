@@ -9,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cerrno>
+#include <charconv>
 #include <csetjmp>
 #include <cstdint>
 #include <cstdio>
@@ -18,6 +19,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -151,6 +153,23 @@ PixelWindow window_of(png_structp png, png_infop info) {
           y + static_cast<int>(png_get_image_height(png, info))};
 }
 
+/// Puts a crop where a text `abbe/crop` tells, such as "2,1,6,5 of 8x6". Others are passed over.
+void place_crop(std::string_view text, PictureHeader& header) {
+  std::array<int, 6> numbers{};
+  for (int& number : numbers) {
+    text.remove_prefix(std::min(text.find_first_of("0123456789"), text.size()));
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc()) return;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  }
+  const auto [x0, y0, x1, y1, width, height] = numbers;
+  const bool fits = x1 <= width && y1 <= height && x1 - x0 == header.data.width() &&
+                    y1 - y0 == header.data.height();
+  if (!fits) return;
+  header.display = {0, 0, width, height};
+  header.data = {x0, y0, x1, y1};
+}
+
 PictureHeader header_of(png_structp png, png_infop info) {
   PictureHeader header;
   header.format = "PNG";
@@ -163,6 +182,8 @@ PictureHeader header_of(png_structp png, png_infop info) {
   png_get_text(png, info, &texts, &count);
   for (const png_text& text : std::span(texts, static_cast<std::size_t>(count)))
     header.metadata.emplace_back(text.key, text.text);
+  for (const auto& [key, value] : header.metadata)
+    if (key == "abbe/crop") place_crop(value, header);
   return header;
 }
 

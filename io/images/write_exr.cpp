@@ -114,16 +114,20 @@ struct Channels {
 /// not depend on it; 81 bands at 1920 x 1080 take about 10 s on one processor. (source: measured)
 class DeflateThreads {
 public:
-  DeflateThreads() {
+  DeflateThreads() { resume(); }
+  DeflateThreads(const DeflateThreads&) = delete;
+  DeflateThreads& operator=(const DeflateThreads&) = delete;
+  ~DeflateThreads() { Imf::setGlobalThreadCount(before_); }
+
+  /// Ends the threads. A child process that reads an EXR has none of them, and would wait for them.
+  void pause() { Imf::setGlobalThreadCount(0); }
+  void resume() {
     try {
       Imf::setGlobalThreadCount(static_cast<int>(std::thread::hardware_concurrency()));
     } catch (const std::exception&) { // the system allows no more threads
       Imf::setGlobalThreadCount(0);
     }
   }
-  DeflateThreads(const DeflateThreads&) = delete;
-  DeflateThreads& operator=(const DeflateThreads&) = delete;
-  ~DeflateThreads() { Imf::setGlobalThreadCount(before_); }
 
 private:
   int before_ = Imf::globalThreadCount();
@@ -244,11 +248,13 @@ void write_spectral_exr(const std::filesystem::path& path, const PixelWindow& da
     header.insert("spectralLayoutVersion", Imf::StringAttribute("1.0"));
     header.insert("emissiveUnits", Imf::StringAttribute("W.m^-2.sr^-1"));
     header.insert("EV", Imf::FloatAttribute(0.0f));
-    const DeflateThreads threads;
+    DeflateThreads threads;
     // A block for each thread, but no more than 8: 160 MiB at a width of 3840 and 81 bands.
     const int rows = kRowsPerDeflate * std::clamp(Imf::globalThreadCount(), 1, 8);
     const auto channels_of = [&](const PixelWindow& part) {
+      threads.pause(); // what is developed may be read from other files
       image = develop(part);
+      threads.resume();
       require_pixels(image.display, part, image.rgba.size(), 4);
       require_pixels(image.display, part, image.values.size(), image.wavelengths_nm.size());
       Channels channels{header, part};

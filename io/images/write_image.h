@@ -21,6 +21,7 @@ struct OutputOptions {
   IccVersion profile = IccVersion::v4;
   bool layer_files = false;          ///< each layer goes into an EXR of its own
   bool full_frame = false;           ///< crops are written over the whole frame, black around them
+  bool denoise = false;              ///< pictures and bands are written without their noise
   std::optional<OcioLook> ocio = {}; ///< makes pictures for screens, in place of our own curves
 };
 

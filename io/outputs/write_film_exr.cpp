@@ -47,9 +47,10 @@ std::pair<std::string, std::string> version() {
 
 } // namespace
 
-FilmExrs::FilmExrs(const Film& film, const Plan& plan, const OutputOptions& options)
-    : film_(film), plan_(plan), options_(options), metadata_(scene_linear_metadata(film, plan)),
-      pixel_(options.exr_pixel) {
+FilmExrs::FilmExrs(const Film& film, const Plan& plan, const OutputOptions& options,
+                   const DenoisedPictures* denoised)
+    : film_(film), plan_(plan), options_(options), denoised_(denoised),
+      metadata_(scene_linear_metadata(film, plan)), pixel_(options.exr_pixel) {
   metadata_.emplace_back(version());
   if (pixel_ == ExrPixel::half && !half_holds(film, plan, options.exr_space))
     pixel_ = ExrPixel::single;
@@ -72,7 +73,11 @@ ExrHead FilmExrs::head() const {
 std::vector<std::string> FilmExrs::layers() const {
   PixelWindow none = film_.window();
   none.y1 = none.y0;
-  return layer_names(develop_scene_linear(film_, plan_, options_.exr_space, FilmPart{none}));
+  std::vector<std::string> names =
+      layer_names(develop_scene_linear(film_, plan_, options_.exr_space, FilmPart{none}));
+  if (denoised_)
+    std::erase_if(names, [&](const std::string& name) { return denoised_->leaves_out(name); });
+  return names;
 }
 
 void FilmExrs::write(const fs::path& file, const ExrHead& head, ExrPixel pixel,
@@ -83,6 +88,11 @@ void FilmExrs::write(const fs::path& file, const ExrHead& head, ExrPixel pixel,
 }
 
 std::string FilmExrs::write_picture(const fs::path& file) const {
+  if (denoised_) {
+    SceneLinearImage image = denoised_->scene_linear(options_.exr_space, options_.layer_files);
+    image.metadata.emplace_back(version());
+    return write_image(file, image, {}, options_);
+  }
   write(file, head(), pixel_, [&](const PixelWindow& rows) {
     const FilmPart part{.window = rows, .colors_only = options_.layer_files};
     return develop_scene_linear(film_, plan_, options_.exr_space, part);
@@ -112,7 +122,8 @@ std::string FilmExrs::write_bands(const fs::path& file) const {
   Metadata of_film = film_metadata(film_);
   of_film.emplace_back(version());
   const auto develop = [&](const PixelWindow& rows) {
-    SpectralImage image = develop_spectral(film_, plan_, rows);
+    SpectralImage image =
+        denoised_ ? denoised_->spectral(rows) : develop_spectral(film_, plan_, rows);
     image.metadata.insert(image.metadata.end(), of_film.begin(), of_film.end());
     return image;
   };

@@ -2,6 +2,7 @@
 
 #include "core/render/render.h"
 #include "io/images/write_image.h"
+#include "io/outputs/denoised_pictures.h"
 
 #include <filesystem>
 #include <string>
@@ -13,8 +14,9 @@ namespace abbe {
 /// Each function returns what the user should know of the file, which is mostly nothing.
 class FilmExrs {
 public:
-  /// Keeps references.
-  FilmExrs(const Film& film, const Plan& plan, const OutputOptions& options);
+  /// Keeps references. `denoised` makes the picture and the bands, unless it is null.
+  FilmExrs(const Film& film, const Plan& plan, const OutputOptions& options,
+           const DenoisedPictures* denoised = nullptr);
 
   /// The names of the layers beside the picture.
   [[nodiscard]] std::vector<std::string> layers() const;
@@ -39,6 +41,7 @@ private:
   const Film& film_;
   const Plan& plan_;
   const OutputOptions& options_;
+  const DenoisedPictures* denoised_;
   Metadata metadata_; ///< found once, not for each block of rows
   ExrPixel pixel_;    ///< of the picture: half floats where that is asked for and they do
 };

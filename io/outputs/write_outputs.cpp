@@ -15,19 +15,25 @@
 namespace abbe {
 namespace {
 
-DisplayImage by_ocio(const Film& film, const Plan& plan, const OcioTransform& ocio,
+DisplayImage by_ocio(const Rendered& rendered, const OcioTransform& ocio,
                      const DisplaySettings& settings) {
-  SceneLinearImage linear = develop_scene_linear(
-      film, plan, ocio.space(), FilmPart{.window = film.window(), .colors_only = true});
-  linear.metadata = render_metadata(plan);
+  const Film& film = rendered.rendering.film;
+  SceneLinearImage linear =
+      rendered.denoised
+          ? rendered.denoised->scene_linear(ocio.space(), true)
+          : develop_scene_linear(film, rendered.plan, ocio.space(),
+                                 FilmPart{.window = film.window(), .colors_only = true});
+  linear.metadata = render_metadata(rendered.plan);
   return ocio_picture(ocio, linear, settings);
 }
 
-DisplayImage display_picture(const Rendering& rendering, const Plan& plan,
-                             const std::optional<OcioLook>& ocio, const DisplaySettings& settings) {
-  DisplayImage image = ocio ? by_ocio(rendering.film, plan, OcioTransform(*ocio), settings)
-                            : develop_display(rendering.film, plan, settings);
-  say_warning(warning_of_exposure(rendering.film, image));
+DisplayImage display_picture(const Rendered& rendered, const std::optional<OcioLook>& ocio,
+                             const DisplaySettings& settings) {
+  const Film& film = rendered.rendering.film;
+  DisplayImage image = ocio                ? by_ocio(rendered, OcioTransform(*ocio), settings)
+                       : rendered.denoised ? rendered.denoised->display(settings)
+                                           : develop_display(film, rendered.plan, settings);
+  say_warning(warning_of_exposure(film, image));
   return image;
 }
 
@@ -59,20 +65,20 @@ std::vector<OutputJob> exr_jobs(const FilmExrs& exrs, const Plan& plan, const Ou
 
 } // namespace
 
-bool write_outputs(const Rendering& rendering, const Plan& plan, const Outputs& outputs,
-                   const OutputOptions& options, const DisplaySettings& display_settings,
-                   bool quiet) {
+bool write_outputs(const Rendered& rendered, const Outputs& outputs, const OutputOptions& options,
+                   const DisplaySettings& display_settings, bool quiet) {
+  const Plan& plan = rendered.plan;
   bool all = true;
   const bool has_exr = std::ranges::any_of(outputs.images, is_scene_linear_extension);
   if (has_exr || plan.settings.relightable || outputs.spectral) {
-    const FilmExrs exrs(rendering.film, plan, options);
+    const FilmExrs exrs(rendered.rendering.film, plan, options, rendered.denoised);
     std::vector<OutputJob> jobs = exr_jobs(exrs, plan, outputs, options);
     if (outputs.spectral)
       jobs.push_back({*outputs.spectral, [&] { return exrs.write_bands(*outputs.spectral); }});
     all = write_each(jobs, quiet);
   }
   if (std::ranges::all_of(outputs.images, is_scene_linear_extension)) return all;
-  const DisplayImage display = display_picture(rendering, plan, options.ocio, display_settings);
+  const DisplayImage display = display_picture(rendered, options.ocio, display_settings);
   std::vector<OutputJob> jobs;
   for (const std::filesystem::path& path : outputs.images)
     if (!is_scene_linear_extension(path))

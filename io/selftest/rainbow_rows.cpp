@@ -34,9 +34,7 @@ double seen_at_deg(const World& world, double height, double n, int reflections)
   state = refracted_at(hit, state.ray, 1.0, n);
   for (int i = 0; i < reflections; ++i) {
     hit = world.closest(state).value();
-    state = {{hit.point, reflected(state.ray.direction, -hit.normal)},
-             hit.same_side,
-             hit.nesting_before};
+    state = hit.going_on(reflected(state.ray.direction, -hit.normal), false);
   }
   hit = world.closest(state).value();
   state = refracted_at(hit, state.ray, n, 1.0);

@@ -12,9 +12,7 @@ RayState refracted_at(const Hit& hit, const Ray& ray, double n_before, double n_
   const double eta = n_after / n_before;
   const auto cos_t = refracted_cosine(cos_i, eta);
   if (!cos_t) throw std::runtime_error("total internal reflection");
-  return {{hit.point, refracted(ray.direction, facing, cos_i, *cos_t, eta)},
-          hit.other_side,
-          hit.nesting_after};
+  return hit.going_on(refracted(ray.direction, facing, cos_i, *cos_t, eta), true);
 }
 
 SingleRay refracted_through(const World& world, const Ray& ray, double n) {

@@ -86,8 +86,7 @@ public:
       for (std::size_t b = 0; b < kBands; ++b)
         throughput[b] *= reflectances_[hit->material.index()][b];
       state.ray = {hit->point, bounce(hit->entering ? hit->normal : -hit->normal)};
-      state.contacts = hit->same_side;
-      state.nesting = hit->nesting_before;
+      hit->go_on(false, state.contacts, state.nesting);
     }
   }
 

@@ -31,7 +31,7 @@ TEST_CASE("a cemented doublet has no air inside: every ray meets its three surfa
         ++count;
         REQUIRE(hit->medium_before.valid() == (count > 1));
         REQUIRE(hit->medium_after.valid() == (count < 3));
-        state = {{hit->point, state.ray.direction}, hit->other_side, hit->nesting_after};
+        state = hit->going_on(state.ray.direction, true);
       }
       REQUIRE(count == 3);
     }

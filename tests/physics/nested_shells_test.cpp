@@ -51,14 +51,14 @@ TEST_CASE("shells of one index leave a ray straight, however many") {
     const auto in = world.closest(state);
     REQUIRE(in);
     CHECK(in->t == Approx(5.0 - half_chord).epsilon(1e-14));
-    state = {{in->point, state.ray.direction}, in->other_side, in->nesting_after};
+    state = in->going_on(state.ray.direction, true);
     const auto out = world.closest(state);
     REQUIRE(out);
     CHECK(out->shape.value == 0);
     CHECK(out->t == Approx(2.0 * half_chord).epsilon(1e-13));
     CHECK(out->medium_before.value == 0);
     CHECK_FALSE(out->medium_after.valid());
-    CHECK(out->nesting_after.empty());
+    CHECK(out->nesting_after().empty());
   }
 }
 

@@ -76,7 +76,7 @@ TEST_CASE("a ray is never on two sides of a smooth surface") {
     const dvec3 from(-1.05 + 0.00105 * i, 0.3 + 0.0003 * i, 5.0);
     const auto hit = world.closest(world.start_at({from, {0.0, 0.0, -1.0}}));
     if (!hit) continue;
-    (hit->bent() ? bent : flat) += 1;
+    (hit->bent ? bent : flat) += 1;
     CHECK(glm::dot(hit->normal, dvec3(0.0, 0.0, -1.0)) < 0.0);
     CHECK(glm::dot(hit->shading_normal, dvec3(0.0, 0.0, -1.0)) < 0.0);
   }

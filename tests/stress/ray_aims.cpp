@@ -49,7 +49,7 @@ void RayAims::gather_points() {
     state.ray.direction = glm::normalize(anywhere() - state.ray.origin);
     state.nesting = world_.nesting_at(state.ray.origin);
     const auto hit = world_.closest(state);
-    if (hit) points_.push_back({hit->point, hit->normal, hit->same_side[0]});
+    if (hit) points_.push_back({hit->point, hit->normal, hit->going_on({}, false).contacts[0]});
   }
 }
 

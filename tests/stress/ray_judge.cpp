@@ -151,7 +151,7 @@ void RayJudge::check_behind(const RayState& state, const Hit& hit, const ExactCr
   for (std::size_t i = 0; i < bodies_.size(); ++i)
     if (i != hit.shape.index() && bodies_[i].comes_near(p, 4 * blur(i, p, hit.t))) return;
   look(state, same.t + 0.4142L * (to - same.t));
-  if (!place_.certain || same_solids(hit.nesting_after)) return;
+  if (!place_.certain || same_solids(hit.nesting_after())) return;
   fail("wrong_behind", state, hit);
 }
 
@@ -209,8 +209,9 @@ void RayJudge::check_hit(const RayState& state, const Hit& hit) {
     fail("normal_side", state, hit);
   if (!state.contacts.empty()) {
     const SurfaceContact& left = state.contacts[0];
-    // A ray in the face's plane, within rounding, may be on either side of it.
-    const bool crosses = std::abs(outwards) * extent_ > 2 * blur;
+    // A ray that stays in the face's plane, within rounding, for as long as the scene is large may
+    // be on either side of it.
+    const bool crosses = std::abs(outwards) * extent_ / 10 > 2 * blur;
     if (left.shape == hit.shape && left.face == hit.face && crosses &&
         is_plane(world_.shapes()[shape], hit.face))
       fail("self_hit", state, hit);

@@ -26,9 +26,7 @@ RayState bounced(const World& world, const RayState& state, const Hit& hit, Rand
     const dvec3 bent = glm::normalize(d + random.in_cube(random.chance(0.5) ? 1e-3 : 1.0));
     if ((glm::dot(bent, hit.normal) > 0.0) == (hit.entering == back)) d = bent;
   }
-  return {{hit.point, glm::normalize(d)},
-          back ? hit.same_side : hit.other_side,
-          back ? hit.nesting_before : hit.nesting_after};
+  return hit.going_on(glm::normalize(d), !back);
 }
 
 void walk(const World& world, RayState state, RayJudge& judge, Random& random) {
@@ -98,6 +96,6 @@ void round(std::uint64_t number, Tally& tally) {
 
 } // namespace
 
-const Part kPart{"rays", 96, 260000, Rounds::on_all_cores, round};
+const Part kPart{"rays", 140, 260000, Rounds::on_all_cores, round};
 
 } // namespace abbe::stress

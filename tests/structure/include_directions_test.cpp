@@ -41,6 +41,7 @@ constexpr Permission kPermissions[] = {
     {"core/", "glm/"},
     {"core/", "fmt/"},
     {"geometry/meshes/mesh_hierarchy.cpp", "tbb/"},
+    {"core/denoise/denoiser.cpp", "tbb/"},
     {"core/integrators/light_pass.cpp", "tbb/"},
     {"core/render/render.cpp", "tbb/"},
     {"core/render/worker_limit.cpp", "tbb/"},
@@ -126,19 +127,19 @@ bool may_include(std::string_view file, std::string_view include) {
 
 /// The rooms of a folder, each of which may include those named before it, but none after it.
 constexpr std::string_view kFloors[] = {
-    "geometry/rays/",  "geometry/solids/", "geometry/meshes/",    "geometry/booleans/",
-    "geometry/world/", "core/scene/",      "core/bands/",         "core/optics/",
-    "core/bsdfs/",     "core/emitters/",   "core/drops/",         "core/plan/",
-    "core/sampling/",  "core/cameras/",    "core/film/",          "core/adaptive/",
-    "core/bundles/",   "core/scattering/", "core/lights/",        "core/integrators/",
-    "core/image/",     "core/planning/",   "core/render/",        "io/files/",
-    "io/text/",        "io/images/",       "io/libraries/",       "io/settings/",
-    "io/meshes/",      "io/building/",     "io/scene_language/",  "io/pbrt/",
-    "io/gltf/",        "io/converting/",   "io/scene_files/",     "io/selftest/",
-    "io/states/",      "io/console/",      "io/plots/",           "io/readings/",
-    "io/pages/",       "io/outputs/",      "io/preview/",         "io/manual/",
-    "io/commands/",    "io/program/",      "bench/measurements/", "bench/plots/",
-    "bench/reports/",  "bench/program/"};
+    "geometry/rays/",  "geometry/solids/", "geometry/meshes/", "geometry/booleans/",
+    "geometry/world/", "core/scene/",      "core/bands/",      "core/optics/",
+    "core/bsdfs/",     "core/emitters/",   "core/drops/",      "core/plan/",
+    "core/sampling/",  "core/cameras/",    "core/film/",       "core/adaptive/",
+    "core/bundles/",   "core/scattering/", "core/lights/",     "core/integrators/",
+    "core/image/",     "core/denoise/",    "core/planning/",   "core/render/",
+    "io/files/",       "io/text/",         "io/images/",       "io/libraries/",
+    "io/settings/",    "io/meshes/",       "io/building/",     "io/scene_language/",
+    "io/pbrt/",        "io/gltf/",         "io/converting/",   "io/scene_files/",
+    "io/selftest/",    "io/states/",       "io/console/",      "io/plots/",
+    "io/readings/",    "io/pages/",        "io/outputs/",      "io/preview/",
+    "io/manual/",      "io/commands/",     "io/program/",      "bench/measurements/",
+    "bench/plots/",    "bench/reports/",   "bench/program/"};
 
 /// The number of the room in which a file lies; none for a file outside the rooms.
 std::optional<std::size_t> floor_of(std::string_view path) {

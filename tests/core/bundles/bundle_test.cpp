@@ -75,7 +75,7 @@ TEST_CASE("a bundle that sets off takes along how far it has come and how far it
 TEST_CASE("a bundle that sets off leaves the surface on the side to which it goes") {
   for (const bool through : {false, true}) {
     AtPlane s;
-    const Contacts expected = through ? s.bundle.hit.other_side : s.bundle.hit.same_side;
+    const Contacts expected = s.bundle.hit.going_on({}, through).contacts;
     set_off(s.bundle, {0.6, 0.0, through ? -0.8 : 0.8}, through, RayKind::refracted, s.bundle);
     REQUIRE(s.bundle.state.contacts.size() == expected.size());
     CHECK(s.bundle.state.contacts[0].side == expected[0].side);

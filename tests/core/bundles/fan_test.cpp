@@ -42,8 +42,7 @@ Hit own_hit(FanScene& s, int band) {
   const double cos_i = -glm::dot(d, normal);
   RayState state;
   state.ray = {hit.point, refracted(d, normal, cos_i, *refracted_cosine(cos_i, eta), eta)};
-  state.contacts = hit.other_side;
-  state.nesting = hit.nesting_after;
+  hit.go_on(true, state.contacts, state.nesting);
   return *s.world.closest(state);
 }
 

@@ -215,7 +215,7 @@ TEST_CASE("metadata name every setting that shapes the picture and nothing of th
                                               "abbe/jitter", "abbe/adaptive", "abbe/exact",
                                               "abbe/observer", "abbe/tolerance", "abbe/maxFan"});
   const Metadata path = metadata([](RenderSettings& s) { s.integrator = Integrator::path; });
-  CHECK(path.size() == plain.size() + 3); // caustics, light paths, photon radius
+  CHECK(path.size() == plain.size() + 4); // caustics, light paths, photon radius, bright sky
   const auto path_tells = [&](auto change) {
     return metadata([&](RenderSettings& s) {
              s.integrator = Integrator::path;

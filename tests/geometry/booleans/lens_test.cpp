@@ -114,9 +114,7 @@ Walk walk(const Prescription& prescription, Random& random, int rays, double sca
       if (back) d -= 2.0 * glm::dot(d, hit->normal) * hit->normal;
       const dvec3 bent = glm::normalize(d + random.in_cube(0.3));
       if (glm::dot(bent, hit->normal) * glm::dot(d, hit->normal) > 0.0) d = bent;
-      state = {{hit->point, glm::normalize(d)},
-               back ? hit->same_side : hit->other_side,
-               back ? hit->nesting_before : hit->nesting_after};
+      state = hit->going_on(glm::normalize(d), !back);
     }
   }
   return count;

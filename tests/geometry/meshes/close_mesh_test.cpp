@@ -87,8 +87,8 @@ int differing_walks(const Mesh& mesh, const std::vector<PlacedShape>& solids, do
         ++count;
         break;
       }
-      a = {{first->point, a.ray.direction}, first->other_side, first->nesting_after};
-      b = {{second->point, b.ray.direction}, second->other_side, second->nesting_after};
+      a = first->going_on(a.ray.direction, true);
+      b = second->going_on(b.ray.direction, true);
     }
   }
   return count;

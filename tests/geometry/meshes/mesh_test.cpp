@@ -123,9 +123,7 @@ TEST_CASE("mesh: walks find no leak, at any scale and place") {
         if (back) d -= 2.0 * glm::dot(d, hit->normal) * hit->normal;
         const dvec3 bent = glm::normalize(d + random.in_cube(random.chance(0.5) ? 0.1 : 1.0));
         if (glm::dot(bent, hit->normal) * glm::dot(d, hit->normal) > 0.0) d = bent;
-        state = {{hit->point, glm::normalize(d)},
-                 back ? hit->same_side : hit->other_side,
-                 back ? hit->nesting_before : hit->nesting_after};
+        state = hit->going_on(glm::normalize(d), !back);
       }
     }
   }
@@ -148,8 +146,7 @@ TEST_CASE("mesh: a cube of triangles answers as the cube, on edges and diagonals
     if (!a) continue;
     CHECK(std::abs(a->t - b->t) < 1e-14);
     CHECK(glm::length(a->normal - b->normal) < 1e-14);
-    const auto out =
-        mesh.closest({{a->point, state.ray.direction}, a->other_side, a->nesting_after});
+    const auto out = mesh.closest(a->going_on(state.ray.direction, true));
     REQUIRE(out);
     CHECK_FALSE(out->entering);
   }

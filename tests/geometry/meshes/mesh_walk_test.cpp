@@ -94,9 +94,7 @@ private:
                                       : d + random_.in_cube(random_.chance(0.5) ? 0.01 : 1.0);
     other = other == dvec3(0.0) ? d : glm::normalize(other); // the target may be where it is
     if (glm::dot(other, hit.normal) * glm::dot(d, hit.normal) > 0.0) d = other;
-    return {{hit.point, glm::normalize(d)},
-            back ? hit.same_side : hit.other_side,
-            back ? hit.nesting_before : hit.nesting_after};
+    return hit.going_on(glm::normalize(d), !back);
   }
 
   Random random_;

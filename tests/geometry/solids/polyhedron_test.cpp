@@ -22,33 +22,101 @@ std::optional<Interval> line(const dvec3& origin, const dvec3& direction) {
 
 } // namespace
 
-TEST_CASE("candidate interval of the thesis's figure 12") {
+TEST_CASE("the interval of the thesis's figure 12") {
   // Its ray enters plane one at 1.5, leaves plane two at 2.9 and plane three at 2.3.
+  std::vector<HalfSpace> planes{{{-1, 0, 0}, 50.0}, cut(1.5, -2.0), cut(2.9, 0.5), cut(2.3, 3.0)};
+  for (const dvec3& n : {dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, -1, 0), dvec3(0, 0, 1)})
+    planes.push_back({n, 50.0});
+  planes.push_back({{0, 0, -1}, 50.0});
   const LocalRay ray{{0, 0, 0}, {1, 0, 0}};
-  PlaneInterval candidate;
-  REQUIRE(narrow(candidate, cut(1.5, -2.0), 1, ray));
-  REQUIRE(candidate.enter.t == Approx(1.5).epsilon(1e-15));
-  REQUIRE(candidate.exit.t == kInfinity);
-  REQUIRE(narrow(candidate, cut(2.9, 0.5), 2, ray));
-  REQUIRE(candidate.enter.t == Approx(1.5).epsilon(1e-15));
-  REQUIRE(candidate.exit.t == Approx(2.9).epsilon(1e-15));
-  REQUIRE(narrow(candidate, cut(2.3, 3.0), 3, ray));
-  REQUIRE(candidate.enter.t == Approx(1.5).epsilon(1e-15));
-  REQUIRE(candidate.exit.t == Approx(2.3).epsilon(1e-15));
-  REQUIRE(candidate.enter.face == 1);
-  REQUIRE(candidate.exit.face == 3);
-  REQUIRE_FALSE(narrow(candidate, cut(1.4, 1.0), 4, ray)); // nothing is left of it
+  const auto found = intersect(ConvexPolyhedron(planes), ray);
+  REQUIRE(found);
+  REQUIRE(found->enter.t == Approx(1.5).epsilon(1e-15));
+  REQUIRE(found->exit.t == Approx(2.3).epsilon(1e-15));
+  REQUIRE(found->enter.face.face == 1);
+  REQUIRE(found->exit.face.face == 3);
+  planes.push_back(cut(1.4, 1.0)); // nothing is left of the line
+  REQUIRE_FALSE(intersect(ConvexPolyhedron(planes), ray));
 }
 
 TEST_CASE("a line parallel to a plane is wholly inside or outside") {
-  const HalfSpace below{{0, 0, 1}, 1.0};
-  PlaneInterval candidate;
-  REQUIRE(narrow(candidate, below, 0, LocalRay{{0, 0, 0.5}, {1, 0, 0}}));
-  REQUIRE(
-      narrow(candidate, below, 0, LocalRay{{0, 0, 1.0}, {1, 0, 0}})); // in the plane: it touches
-  REQUIRE_FALSE(narrow(candidate, below, 0, LocalRay{{0, 0, 1.5}, {1, 0, 0}}));
-  REQUIRE(candidate.enter.t == -kInfinity);
-  REQUIRE(candidate.exit.t == kInfinity);
+  const auto along = [](double z) { return line({-5, 0, z}, {1, 0, 0}); };
+  REQUIRE(along(0.5));
+  REQUIRE(along(1.0)); // in the plane: it touches
+  REQUIRE_FALSE(along(1.5));
+}
+
+namespace {
+
+/// The interval by one half-space after the other, and its faces: of those at one place the first.
+struct InTurn {
+  double enter = -kInfinity, exit = kInfinity;
+  int enter_face = 0, exit_face = 0;
+  bool empty = false;
+
+  InTurn(const ConvexPolyhedron& solid, const LocalRay& ray, const FaceContact* contact) {
+    for (int i = 0; i < static_cast<int>(solid.half_spaces().size()); ++i) {
+      if (contact && contact->face == i) continue;
+      const HalfSpace& h = solid.half_spaces()[static_cast<std::size_t>(i)];
+      const double along = glm::dot(h.normal, ray.direction);
+      const double height = h.offset - glm::dot(h.normal, ray.origin);
+      if (along == 0.0) {
+        empty |= !contact && height < 0.0;
+      } else if (along > 0.0 && height / along < exit) {
+        exit = height / along;
+        exit_face = i;
+      } else if (along < 0.0 && !contact && height / along > enter) {
+        enter = height / along;
+        enter_face = i;
+      }
+    }
+    if (contact) {
+      enter = 0.0;
+      enter_face = contact->face;
+    } else {
+      empty |= enter > exit;
+    }
+  }
+};
+
+} // namespace
+
+TEST_CASE("half-spaces four at a time cut lines as they do one after the other") {
+  Random random(18);
+  int met = 0;
+  for (int k = 0; k < 3000; ++k) {
+    static std::optional<ConvexPolyhedron> solid;
+    if (k % 20 == 0) solid = ConvexPolyhedron(random.planes(4 + random.below(12)));
+    if (k % 60 == 40) // lines through edges and corners of a cube meet planes at one place
+      solid = ConvexPolyhedron({{{1, 0, 0}, 1},
+                                {{-1, 0, 0}, 1},
+                                {{0, 1, 0}, 1},
+                                {{0, -1, 0}, 1},
+                                {{0, 0, 1}, 1},
+                                {{0, 0, -1}, 1}});
+    const bool grid = k % 60 >= 40;
+    const auto some = [&] {
+      return grid ? dvec3(random.below(5) - 2, random.below(5) - 2, random.below(5) - 2)
+                  : random.in_cube(2.0);
+    };
+    const dvec3 direction = some();
+    if (direction == dvec3(0.0)) continue;
+    const LocalRay ray{some(), direction};
+    const FaceContact touched{random.below(static_cast<int>(solid->half_spaces().size())),
+                              Side::inside};
+    for (const FaceContact* contact : {static_cast<const FaceContact*>(nullptr), &touched}) {
+      const auto found = plane_interval(*solid, ray, contact);
+      const InTurn expected(*solid, ray, contact);
+      REQUIRE(found.has_value() == !expected.empty);
+      if (!found) continue;
+      ++met;
+      REQUIRE(found->enter.t == expected.enter);
+      REQUIRE(found->exit.t == expected.exit);
+      REQUIRE(found->enter.face == expected.enter_face);
+      REQUIRE(found->exit.face == expected.exit_face);
+    }
+  }
+  CHECK(met > 3000);
 }
 
 TEST_CASE("the thesis's prism has the vertices of its table 1") {

@@ -107,14 +107,17 @@ TEST_CASE("resolve: what shows does not depend on rounding") {
     REQUIRE(b.hit.entering);
     REQUIRE(b.hit.medium_before.value == 10);
     REQUIRE(b.hit.medium_after.value == 11);
-    REQUIRE(b.hit.nesting_after.size() == 1);
-    REQUIRE(b.hit.nesting_after[0].value == 1);
-    REQUIRE(b.hit.same_side.size() == 2);
-    REQUIRE(b.hit.same_side[0].shape.value == 1); // the shown surface comes first
-    REQUIRE(b.hit.same_side[0].side == Side::outside);
-    REQUIRE(b.hit.same_side[1].side == Side::inside);
-    REQUIRE(b.hit.other_side[0].side == Side::inside);
-    REQUIRE(b.hit.other_side[1].side == Side::outside);
+    REQUIRE(b.hit.nesting_after().size() == 1);
+    REQUIRE(b.hit.nesting_after()[0].value == 1);
+    const Contacts back = b.hit.going_on({}, false).contacts;
+    const Contacts through = b.hit.going_on({}, true).contacts;
+    REQUIRE(back.size() == 2);
+    REQUIRE(through.size() == 2);
+    REQUIRE(back[0].shape.value == 1); // the shown surface comes first
+    REQUIRE(back[0].side == Side::outside);
+    REQUIRE(back[1].side == Side::inside);
+    REQUIRE(through[0].side == Side::inside);
+    REQUIRE(through[1].side == Side::outside);
   }
 }
 
@@ -140,7 +143,7 @@ TEST_CASE("resolve: equal media, higher priorities and opaque surfaces") {
   REQUIRE(b.hit.material.value == 7);
   REQUIRE_FALSE(b.hit.medium_before.valid());
   REQUIRE(b.hit.medium_after.value == 11);
-  REQUIRE(b.hit.nesting_after[0].value == 2);
+  REQUIRE(b.hit.nesting_after()[0].value == 2);
 }
 
 TEST_CASE("boundary: a ray along a plane crosses it where it meets what it coincides with") {
@@ -152,7 +155,7 @@ TEST_CASE("boundary: a ray along a plane crosses it where it meets what it coinc
     CHECK(hit.shape == ShapeId{1});
     CHECK(std::abs(hit.t - 2.0) <= 4e-15);
     CHECK(hit.moved);
-    CHECK(hit.same_side.size() == 2);
+    CHECK(hit.going_on({}, false).contacts.size() == 2);
   }
   // Roots within each other's bounds stay as they are.
   const Hit close =

@@ -75,15 +75,13 @@ TEST_CASE("occluded agrees with the crossings of all shapes") {
         if (!hit) break;
         // Go on from the surface, back or through, in a direction of one's own choice.
         const bool opaque =
-            !scene.twins[hit->shape.index()].placed.medium.valid() && !hit->nesting_after.empty();
+            !scene.twins[hit->shape.index()].placed.medium.valid() && !hit->nesting_after().empty();
         const bool back = opaque || random.chance(0.5);
         dvec3 d = random.direction();
         if (std::abs(glm::dot(d, hit->normal)) < 1e-3) break; // the reference knows no contacts
         const double ahead = glm::dot(state.ray.direction, hit->normal);
         if ((glm::dot(d, hit->normal) * ahead < 0.0) != back) d = -d;
-        state = {{hit->point, d},
-                 back ? hit->same_side : hit->other_side,
-                 back ? hit->nesting_before : hit->nesting_after};
+        state = hit->going_on(d, !back);
       }
     }
   }

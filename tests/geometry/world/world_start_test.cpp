@@ -91,7 +91,7 @@ TEST_CASE("rays that begin on a face of a solid begin outside or inside, as thei
         CHECK(world.start_at({point, -up}).nesting.size() == 1);
       }
       CHECK_FALSE(world.stands_alone(kLamp));
-      CHECK_FALSE(world.may_be_hidden(kLamp)); // what is flat shows before glass
+      CHECK(world.hiders(kLamp).empty()); // what is flat shows before glass
     }
 }
 
@@ -105,7 +105,7 @@ TEST_CASE("a surface that another one covers shows nowhere there") {
     for (const bool covered : {true, false}) {
       card.priority = covered ? 0 : -1;
       const World world({lamp, card}, 1e3 * size);
-      CHECK(world.may_be_hidden(kLamp) == covered);
+      CHECK(world.hiders(kLamp).empty() == !covered);
       for (int i = 1; i < 40; ++i) {
         const dvec3 local{i / 20.0 - 1.0, 0.3, 0.0};
         if (i == 20) continue; // the card's edge
@@ -113,7 +113,8 @@ TEST_CASE("a surface that another one covers shows nowhere there") {
         const dvec3 point = place.point(local);
         CHECK(world.start_on({kLamp, {}, Side::outside}, {point, up}).has_value() == shows);
         CHECK(world.start_on({kLamp, {}, Side::inside}, {point, -up}).has_value() == shows);
-        CHECK(world.shows(kLamp, {point + 3.0 * size * up, -up}, 3.0 * size) == shows);
+        CHECK(world.shows(kLamp, world.hiders(kLamp), {point + 3.0 * size * up, -up}, 3.0 * size) ==
+              shows);
       }
     }
   }
@@ -132,10 +133,10 @@ TEST_CASE("an equal solid that was defined later hides the first, a smaller one 
             {{solid, place, MaterialId{0}, {}, 0}, {solid, inner, MaterialId{1}, {}, 0}},
             1e3 * size);
         const bool equal = scale == 1.0;
-        CHECK(world.may_be_hidden(kLamp));
-        CHECK(world.shows(kLamp, ray, 3.0 * size) == !equal);
-        CHECK(world.shows(kOther, {inner.point({0.0, 0.0, 1.0}) - 3.0 * size * down, down},
-                          3.0 * size));
+        CHECK_FALSE(world.hiders(kLamp).empty());
+        CHECK(world.shows(kLamp, world.hiders(kLamp), ray, 3.0 * size) == !equal);
+        CHECK(world.shows(kOther, world.hiders(kOther),
+                          {inner.point({0.0, 0.0, 1.0}) - 3.0 * size * down, down}, 3.0 * size));
       }
     }
 }
@@ -169,9 +170,9 @@ TEST_CASE("shapes beside each other stand alone, those in each other or on a pla
   CHECK_FALSE(world.stands_alone({1}));
   CHECK_FALSE(world.stands_alone({2}));
   CHECK_FALSE(world.stands_alone({4}));
-  CHECK_FALSE(world.may_be_hidden({0}));
-  CHECK(world.may_be_hidden({3}));
-  CHECK_FALSE(world.may_be_hidden({4}));
+  CHECK(world.hiders({0}).empty());
+  CHECK_FALSE(world.hiders({3}).empty());
+  CHECK(world.hiders({4}).empty());
 }
 
 TEST_CASE("rays that are not finite meet nothing, and do not disturb those beside them") {
@@ -193,5 +194,21 @@ TEST_CASE("rays that are not finite meet nothing, and do not disturb those besid
       CHECK(world.occluded(rays[i], 9.0));
       CHECK(world.occluded(rays[i], 2.0) == (i % 2 == 0));
     }
+  }
+}
+
+TEST_CASE("a start inside a small tree, close to its face, is inside at any scale") {
+  for (const double scale : {1.0, 1e-4, 1e-9}) {
+    const CsgTree tree(CsgOperation::intersect, CsgTree(Box{}, Transform()),
+                       CsgTree(Box{}, Transform::translation({0.0, 0.0, -0.5})));
+    const World world({{tree, Transform::scaling(dvec3(scale)), {}, {0}, 0}}, 10.0 * scale);
+    // A ten-millionth of its size below the face z = 1/2; rounding is a billionth of that.
+    const RayState out = world.start_at({{0.0, 0.0, (0.5 - 1e-7) * scale}, {0.0, 0.0, 1.0}});
+    CAPTURE(scale);
+    CHECK(out.contacts.empty());
+    CHECK(out.nesting.size() == 1);
+    const auto hit = world.closest(out);
+    REQUIRE(hit);
+    CHECK(hit->t == Approx(1e-7 * scale).epsilon(1e-6));
   }
 }

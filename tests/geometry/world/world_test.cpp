@@ -164,13 +164,13 @@ TEST_CASE("world: a ray in the plane of a face either misses or touches, and nev
     CHECK(in.has_value() == (height <= 1.0));
     if (!in) continue;
     CHECK(in->t == 2.0);
-    state = {{in->point, {1, 0, 0}}, in->other_side, in->nesting_after};
+    state = in->going_on({1, 0, 0}, true);
     const auto out = world.closest(state);
     REQUIRE(out);
     CHECK_FALSE(out->entering);
     CHECK(out->t == 2.0);
-    CHECK(out->nesting_after.empty());
-    state = {{out->point, {1, 0, 0}}, out->other_side, out->nesting_after};
+    CHECK(out->nesting_after().empty());
+    state = out->going_on({1, 0, 0}, true);
     CHECK_FALSE(world.closest(state));
   }
 }
@@ -193,11 +193,11 @@ TEST_CASE("world: a tangent to a sphere passes or touches, and goes on") {
   const auto touch = world.closest(ray({1, 0, -3}, {0, 0, 1}));
   REQUIRE(touch);
   CHECK(touch->t == 3.0);
-  RayState state{{touch->point, {0, 0, 1}}, touch->other_side, touch->nesting_after};
+  RayState state = touch->going_on({0, 0, 1}, true);
   const auto out = world.closest(state);
   REQUIRE(out);
   CHECK(out->t == 0.0);
-  state = {{out->point, {0, 0, 1}}, out->other_side, out->nesting_after};
+  state = out->going_on({0, 0, 1}, true);
   CHECK(state.nesting.empty());
   CHECK_FALSE(world.closest(state));
 }
@@ -225,8 +225,7 @@ TEST_CASE("world: a ray in a concave edge meets one wall, then the other, and co
         if (bounces == 2) REQUIRE(hit->t < 1e-14);
         const dvec3 d = state.ray.direction;
         state.ray = {hit->point, d - 2.0 * glm::dot(d, hit->normal) * hit->normal};
-        state.contacts = hit->same_side;
-        state.nesting = hit->nesting_before;
+        hit->go_on(false, state.contacts, state.nesting);
       }
       REQUIRE(bounces == 2);
       REQUIRE(glm::length(state.ray.direction - back) < 1e-15);
@@ -247,14 +246,14 @@ TEST_CASE("world: turning back behind a hidden boundary, a ray is still inside w
   CHECK(hit->medium_before.value == 1);
   CHECK(hit->medium_after.value == 2);
   REQUIRE(hit->nesting_before.size() == 2);
-  REQUIRE(hit->nesting_after.size() == 1);
-  CHECK(hit->nesting_after[0].value == 1);
+  REQUIRE(hit->nesting_after().size() == 1);
+  CHECK(hit->nesting_after()[0].value == 1);
   // Through the ball again: the box is left unseen, and the ray comes out into the open.
-  const RayState back{{hit->point, {0, 0, -1}}, hit->same_side, hit->nesting_before};
+  const RayState back = hit->going_on({0, 0, -1}, false);
   const auto out = world.closest(back);
   REQUIRE(out);
   CHECK(out->t == 4.0);
-  CHECK(out->nesting_after.empty());
+  CHECK(out->nesting_after().empty());
 }
 
 TEST_CASE("world: a world scaled by a power of two gives the same hits, scaled") {
@@ -292,7 +291,7 @@ TEST_CASE("world: a world scaled by a power of two gives the same hits, scaled")
         REQUIRE(b->point == a->point * scale);
         REQUIRE(b->face == a->face);
         REQUIRE(b->shape == a->shape);
-        state = {{a->point, state.ray.direction}, a->other_side, a->nesting_after};
+        state = a->going_on(state.ray.direction, true);
       }
     }
     REQUIRE(hits > 1000);
@@ -345,7 +344,7 @@ TEST_CASE("world: a plane is met to the horizon, and from there the solids on it
     const auto back = [&](double y) {
       RayState state = ray(hit->point + dvec3(0, -2, 0), {});
       state.ray.direction = glm::normalize(dvec3(0, y, 1) - state.ray.origin);
-      state.contacts = hit->same_side;
+      state.contacts = hit->going_on(state.ray.direction, false).contacts;
       return world.closest(state);
     };
     const double blur = 1e-15 * way + 1e-6;

@@ -143,9 +143,7 @@ private:
       const dvec3 bent = glm::normalize(d + random_.in_cube(random_.chance(0.5) ? 0.1 : 1.0));
       if (glm::dot(bent, hit.normal) * glm::dot(d, hit.normal) > 0.0) d = bent;
     }
-    return {{hit.point, glm::normalize(d)},
-            back ? hit.same_side : hit.other_side,
-            back ? hit.nesting_before : hit.nesting_after};
+    return hit.going_on(glm::normalize(d), !back);
   }
 
   const Walk& walk_;

@@ -19,8 +19,9 @@ TEST_CASE("info tells what a picture holds") {
   CHECK(cube.find("\nabbe/samples: 2\n") != std::string::npos);
   CHECK(desk.run("info a.exr").find("channels: A B G R (half)\n") != std::string::npos);
   CHECK(desk.run("info a.png").find("channels: R G B (8 bits)\n") != std::string::npos);
-  CHECK(desk.run("info a.png").find("pixels: 8 x 6 pixels, x 2 to 9, y 3 to 8\n") !=
-        std::string::npos);
+  CHECK(desk.run("info a.png")
+            .find("pixels: 8 x 6 pixels, x 2 to 9, y 3 to 8\n"
+                  "whole frame: 16 x 12 pixels, x 0 to 15, y 0 to 11\n") != std::string::npos);
   CHECK(desk.run("info a.tif").starts_with("a.tif: a picture, TIFF\n"));
 }
 
