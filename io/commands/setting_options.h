@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/images/write_image.h"
 #include "io/building/strictness.h"
+#include "io/images/write_image.h"
 #include "io/settings/setting_text.h"
 
 #include <filesystem>

@@ -9,9 +9,9 @@ namespace abbe {
 struct OptionFacts {
   std::vector<std::string> names; ///< with their dashes, such as "-o" and "--output"; of an
                                   ///< argument without dashes, its name alone
-  std::string value;       ///< what follows, such as "FILE" or "on|off"; empty of a switch
-  std::string help;        ///< one line
-  bool positional = false; ///< an argument that has no dashes
+  std::string value;              ///< what follows, such as "FILE" or "on|off"; empty of a switch
+  std::string help;               ///< one line
+  bool positional = false;        ///< an argument that has no dashes
 };
 
 /// One command of the program.

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "io/building/scene_builder.h"
-#include "io/pbrt/pbrt_parameters.h"
 #include "io/building/strictness.h"
+#include "io/pbrt/pbrt_parameters.h"
 #include "io/scene_language/input_files.h"
 #include "spectral/curve.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/files/file_watch.h"
 #include "io/building/strictness.h"
+#include "io/files/file_watch.h"
 #include "io/preview/preview_board.h"
 #include "io/settings/setting_text.h"
 

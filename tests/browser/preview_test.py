@@ -74,7 +74,7 @@ class PreviewPage(Desk):
         self.done()
 
     def done(self):
-        self.browser.wait("return document.body.dataset.state === 'done' && document.body.dataset.picture == state.shown")
+        self.browser.wait("return document.body.dataset.state === 'done' && document.body.dataset.latest == state.shown")
 
     def renderings(self):
         return int(self.browser.run("return document.body.dataset.renderings"))
@@ -83,7 +83,8 @@ class PreviewPage(Desk):
         """Does what makes it render anew, and waits until that is done."""
         before = self.renderings()
         act()
-        self.browser.wait(f"return document.body.dataset.renderings > {before} && document.body.dataset.state === 'done'")
+        self.browser.wait(f"return document.body.dataset.renderings > {before}")
+        self.done()
 
     def color(self, x=0.2, y=0.5):
         """Linear sRGB at a place of the picture."""

@@ -78,6 +78,7 @@ function tell(status) {
   if (!$('camera-box').hidden) $('camera').textContent = state.camera;
   document.body.dataset.state = status.state;
   document.body.dataset.renderings = status.renderings;
+  document.body.dataset.latest = status.picture;
 }
 
 // A mistake of the scene, its place first. The last good picture stays.

@@ -85,12 +85,11 @@ TEST_CASE("a folder that cannot take the file of sums is named, with the size") 
   };
   const std::string advice =
       " Give the variable TMPDIR a folder on a disk with room, or take fewer "
-      "bands or pixels";
-  CHECK(
-      message("/nowhere/at/all", std::size_t{1} << 26) ==
-      "/nowhere/at/all: there is no room for a temporary file of 0.50 GiB, the sums of all bands: "
-      "No such file or directory." +
-          advice);
+      "bands, layers or pixels";
+  CHECK(message("/nowhere/at/all", std::size_t{1} << 26) ==
+        "/nowhere/at/all: there is no room for a temporary file of 0.50 GiB, for sums of pixels: "
+        "No such file or directory." +
+            advice);
   // 2^59 bytes are more than any file system's largest file, or disk.
   const Folder folder;
   const std::string full = message(folder.path, std::size_t{1} << 56);

@@ -111,8 +111,8 @@ TEST_CASE("errors of a material library") {
   CHECK(error_of("def a { glass N-BK8 }") ==
         "m.mtl:1:15: unknown glass \"N-BK8\" (no such name in the glass catalogue). Did you mean "
         "N-BK7?");
-  CHECK(error_of("def a { glass window }") ==
-        "m.mtl:1:15: unknown glass \"window\" (no such name in the glass catalogue). "
+  CHECK(error_of("def a { glass nowhere }") ==
+        "m.mtl:1:15: unknown glass \"nowhere\" (no such name in the glass catalogue). "
         "abbe list glasses shows them all");
   CHECK(error_of("def a { fresnel maybe }") ==
         "m.mtl:1:17: \"maybe\" is no choice of fresnel (fresnel takes on|off). Give on or off");

@@ -69,8 +69,8 @@ TEST_CASE("errors of lenses") {
   CHECK(scene_error("cemented 1 6") ==
         "s.sdl:1:10: 1 is out of range for cemented (it is the number of elements). Give a number "
         "from 2 to 16");
-  CHECK(scene_error("cemented 2 6  10 N-BK7 2  -10 water")
-            .find("s.sdl:1:31: unknown glass \"water\" (no such name in the glass catalogue)") ==
+  CHECK(scene_error("cemented 2 6  10 N-BK7 2  -10 broth")
+            .find("s.sdl:1:31: unknown glass \"broth\" (no such name in the glass catalogue)") ==
         0);
   CHECK(scene_error("cemented 2 6  10 N-BK7 2  -10 SF10 0.1 -3") ==
         "s.sdl:1:31: these data describe no lens (its surfaces cross inside the diameter" + hint);

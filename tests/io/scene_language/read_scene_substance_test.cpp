@@ -58,9 +58,9 @@ TEST_CASE("a library's entry is of coloured glass") {
 }
 
 TEST_CASE("errors of metals and coloured glass") {
-  CHECK(scene_error("metal Gold") ==
-        "s.sdl:1:7: unknown metal \"Gold\" (no such symbol in the catalogue of metals). The metals "
-        "are Ag Al Au Cr Cu Fe Ni Pt Ti W");
+  CHECK(scene_error("metal Unobtainium") == "s.sdl:1:7: unknown metal \"Unobtainium\" (no such "
+                                            "symbol in the catalogue of metals). The metals "
+                                            "are Ag Al Au Cr Cu Fe Ni Pt Ti W");
   CHECK(scene_error("metal") ==
         "s.sdl:1:6: the end of the file stands where the name of a metal should (metal takes "
         "NAME|FILE). Give a name; one with spaces goes in double quotes");
