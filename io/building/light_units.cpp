@@ -45,8 +45,8 @@ double power(const Curve& spectrum) {
 /// Lumens per watt: 683 times the part of the light that is seen.
 double efficacy(const Curve& spectrum) {
   // Y = 1 is the light of value 1 at all wavelengths, of which 106.857 nm are seen [CIE15].
-  constexpr double kSeen_nm = 106.857;
-  return 683.0 * kSeen_nm * to_xyz(spectrum).y / power(spectrum);
+  constexpr double kSeenNm = 106.857;
+  return 683.0 * kSeenNm * to_xyz(spectrum).y / power(spectrum);
 }
 
 /// The solid angle of a spot, each direction counted as far as it is lit.

@@ -38,14 +38,8 @@ Metadata kept_metadata(const PictureHeader& header) {
   return kept;
 }
 
-std::string text_of(const PictureHeader& header, std::string_view name) {
-  for (const auto& [key, value] : header.metadata)
-    if (key == name) return value;
-  return "";
-}
-
 SceneLinearSpace space_of(const PictureHeader& header, const fs::path& file) {
-  const std::string tag = text_of(header, "colorInteropID");
+  const std::string tag = header.text("colorInteropID");
   for (const auto& [name, space] : kSpaces)
     if (tag == name) return space;
   throw UserError(fmt::format("{}: it does not say in which space its colours are, as pictures of "
@@ -81,7 +75,7 @@ SceneLinearImage read_noisy(const fs::path& file) {
   for (const char* const name : {"R", "G", "B"})
     if (!has_channel(header, name))
       throw UserError(fmt::format("{}: it has no colours R, G and B", file.string()));
-  if (!text_of(header, "abbe/denoised").empty())
+  if (!header.text("abbe/denoised").empty())
     throw UserError(fmt::format("{}: its noise has been taken out already", file.string()));
   const std::vector<std::string> layers = guide_channels(header, file);
   SceneLinearImage image{

@@ -47,12 +47,6 @@ struct GivenLamp {
   bool used = false;
 };
 
-std::string text_of(const PictureHeader& cube, std::string_view name) {
-  for (const auto& [key, value] : cube.metadata)
-    if (key == name) return value;
-  return "";
-}
-
 Curve lamp_of(const RelightCommand& command, const std::string& name) {
   if (command.light_library)
     for (const LightSpectrum& light : read_lights(*command.light_library, say_warning))
@@ -114,7 +108,7 @@ private:
 };
 
 Lamp Relit::begin(const fs::path& file, const PictureHeader& cube) {
-  const std::string group = text_of(cube, "abbe/lightGroup");
+  const std::string group = cube.text("abbe/lightGroup");
   if (group.empty())
     throw UserError(fmt::format("{}: this is not the light of one group of lights, as "
                                 "render --relightable writes it",
@@ -135,7 +129,7 @@ Lamp Relit::begin(const fs::path& file, const PictureHeader& cube) {
   }
   if (cube.data != first_->data || cube.display != first_->display ||
       cube.wavelengths_nm != first_->wavelengths_nm ||
-      text_of(cube, "abbe/observer") != text_of(*first_, "abbe/observer"))
+      cube.text("abbe/observer") != first_->text("abbe/observer"))
     throw UserError(fmt::format("{}: its pixels, bands or observer are not those of {}",
                                 file.string(), groups_.begin()->second.string()));
   const BandGrid grid = grid_of(file, cube);
@@ -144,7 +138,7 @@ Lamp Relit::begin(const fs::path& file, const PictureHeader& cube) {
                             "bands, which are {:.3g} nm wide",
                             lamp->second.name, grid.width_nm()));
   metadata_.emplace_back("abbe/lamp/" + group, lamp->second.name);
-  const bool wide = text_of(cube, "abbe/observer") == "10deg";
+  const bool wide = cube.text("abbe/observer") == "10deg";
   const Observer observer = wide ? Observer::cie1964_10deg : Observer::cie1931_2deg;
   const double noise = noise_of_change(grid, lamp->second.spectrum, observer);
   metadata_.emplace_back("abbe/lampNoise/" + group, fmt::format("{:.3g}", noise));

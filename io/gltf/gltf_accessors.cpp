@@ -93,6 +93,8 @@ void copy(const Elements& from, std::vector<Out>& to) {
         to[i * from.components + c] = from.normalized
                                           ? std::max(static_cast<double>(raw) / kMost, -1.0)
                                           : static_cast<double>(raw);
+      else if constexpr (std::is_integral_v<Raw>) // an index, which has no sign
+        to[i * from.components + c] = static_cast<Out>(static_cast<std::make_unsigned_t<Raw>>(raw));
       else
         to[i * from.components + c] = static_cast<Out>(raw);
     }

@@ -46,10 +46,10 @@ std::string percent_decoded(std::string_view uri) {
 std::optional<std::string> base64_decoded(std::string_view text) {
   constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::array<signed char, 256> value;
+  std::array<int, 256> value;
   value.fill(-1);
   for (std::size_t i = 0; i < kDigits.size(); ++i)
-    value[static_cast<unsigned char>(kDigits[i])] = static_cast<signed char>(i);
+    value[static_cast<unsigned char>(kDigits[i])] = static_cast<int>(i);
   while (!text.empty() && text.back() == '=')
     text.remove_suffix(1);
   std::string bytes;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace abbe {
@@ -24,6 +25,13 @@ struct PictureHeader {
   Metadata metadata;                  ///< its texts by their names
   std::string unknown_tag;            ///< of its colour space, where we do not know it
   std::optional<CameraMatrices> camera = {};
+
+  /// The text of this name; empty where the file has none.
+  [[nodiscard]] std::string text(std::string_view name) const {
+    for (const auto& [key, value] : metadata)
+      if (key == name) return value;
+    return "";
+  }
 };
 
 /// Rows of a picture, counted as its windows do.
