@@ -161,8 +161,8 @@ void read_pbrt_texture(PbrtState& state, const SourcePosition& where, PbrtParame
     const std::filesystem::path path = state.folder / file->strings[0];
     // The reader of pictures finds names from the folder of the file that names them.
     const std::filesystem::path from = std::filesystem::path(file->where.file).parent_path();
-    const std::string name = path.lexically_relative(from).string();
-    const Token token{TokenKind::quoted, name.empty() ? path.string() : name, file->where};
+    const std::string relative = path.lexically_relative(from).string();
+    const Token token{TokenKind::quoted, relative.empty() ? path.string() : relative, file->where};
     state.files.push_back(path);
     texture.pattern =
         ImageTexture{state.builder.add_image(path, [&] { return read_image(token, state.warn); })};
