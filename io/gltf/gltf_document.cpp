@@ -1,11 +1,11 @@
 #include "io/gltf/gltf_document.h"
 
 #include "io/files/regular_file.h"
+#include "io/text/base64.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstring>
 #include <stdexcept>
@@ -40,32 +40,6 @@ std::string percent_decoded(std::string_view uri) {
     if (code) i += 2;
   }
   return text;
-}
-
-/// Nothing where a character stands that base64 has not.
-std::optional<std::string> base64_decoded(std::string_view text) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::array<int, 256> value;
-  value.fill(-1);
-  for (std::size_t i = 0; i < kDigits.size(); ++i)
-    value[static_cast<unsigned char>(kDigits[i])] = static_cast<int>(i);
-  while (!text.empty() && text.back() == '=')
-    text.remove_suffix(1);
-  std::string bytes;
-  bytes.reserve(text.size() / 4 * 3 + 3);
-  std::uint32_t held = 0;
-  int bits = 0;
-  for (const char c : text) {
-    const int digit = value[static_cast<unsigned char>(c)];
-    if (digit < 0) return std::nullopt;
-    held = (held << 6 | static_cast<std::uint32_t>(digit)) & 0xFFFFFFu;
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    bytes += static_cast<char>(held >> bits & 0xFFu);
-  }
-  return bytes;
 }
 
 } // namespace

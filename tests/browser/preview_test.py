@@ -9,7 +9,7 @@ import time
 import unittest
 from urllib.parse import urlsplit
 
-from program import ABBE, SCENE, Desk
+from program import ABBE, SCENE, BrowserDesk
 from webdriver import Browser
 
 
@@ -49,20 +49,9 @@ class Preview:
         return answer.status, body
 
 
-class PreviewPage(Desk):
-    @classmethod
-    def setUpClass(cls):
-        super().setUpClass()
-        cls.browser = Browser()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.__exit__()
-        super().tearDownClass()
-
+class PreviewPage(BrowserDesk):
     def setUp(self):
-        self.browser.size(1280, 900)
-        self.browser.media()
+        super().setUp()
         self.write("scene.sdl", SCENE + "include card.sdl\n")
         self.write("card.sdl", "")
 

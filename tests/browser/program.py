@@ -5,6 +5,8 @@ import subprocess
 import tempfile
 import unittest
 
+from webdriver import Browser
+
 ABBE = os.environ["ABBE"]  # the program; tests/browser/run sets it
 
 # A card under two lamps, and a prism that colours a part of it.
@@ -45,3 +47,21 @@ class Desk(unittest.TestCase):
     def write(cls, name, text):
         with open(cls.path(name), "w", encoding="utf-8") as out:
             out.write(text)
+
+
+class BrowserDesk(Desk):
+    """The same with a browser, whose window each test finds at its usual size."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.browser = Browser()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.__exit__()
+        super().tearDownClass()
+
+    def setUp(self):
+        self.browser.size(1280, 900)
+        self.browser.media()

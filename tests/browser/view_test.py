@@ -5,13 +5,12 @@ import io
 import json
 import unittest
 
-from program import SCENE, Desk, abbe
-from webdriver import Browser
+from program import SCENE, BrowserDesk, abbe
 
 PAINTED = "return document.body.dataset.painted"
 
 
-class ViewPage(Desk):
+class ViewPage(BrowserDesk):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
@@ -20,16 +19,9 @@ class ViewPage(Desk):
         abbe(cls.folder, "render", "scene.sdl", "-o", "a.exr", "--spectral", "a.cube.exr", "--spp", "8", *layers)
         abbe(cls.folder, "render", "scene.sdl", "-o", "b.exr", "--spp", "8", "--seed", "7", *layers)
         abbe(cls.folder, "view", "a.cube.exr", "a.exr", "b.exr", "-o", "page.html")
-        cls.browser = Browser()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.__exit__()
-        super().tearDownClass()
 
     def setUp(self):
-        self.browser.size(1280, 900)
-        self.browser.media()
+        super().setUp()
         self.browser.open("file://" + self.path("page.html"))
         self.browser.wait("return document.body.dataset.ready")
 
