@@ -6,6 +6,7 @@
 #include "io/console/exit_codes.h"
 #include "io/console/terminal.h"
 #include "io/images/read_picture.h"
+#include "io/images/write_exr.h"
 #include "io/images/write_image.h"
 #include "io/outputs/check_outputs.h"
 #include "io/outputs/write_each.h"
@@ -23,27 +24,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a picture says of its colours, in the words of its tag.
-constexpr std::pair<std::string_view, SceneLinearSpace> kSpaces[] = {
-    {"lin_rec709_scene", SceneLinearSpace::rec709},
-    {"lin_ap1_scene", SceneLinearSpace::acescg},
-    {"lin_ap0_scene", SceneLinearSpace::aces2065_1},
-    {"lin_rec2020_scene", SceneLinearSpace::rec2020},
-};
-
-Metadata kept_metadata(const PictureHeader& header) {
-  Metadata kept;
-  for (const auto& entry : header.metadata)
-    if (entry.first.starts_with("abbe/")) kept.push_back(entry);
-  return kept;
-}
-
 SceneLinearSpace space_of(const PictureHeader& header, const fs::path& file) {
   const std::string tag = header.text("colorInteropID");
-  for (const auto& [name, space] : kSpaces)
-    if (tag == name) return space;
+  for (const SceneLinearSpace space : {SceneLinearSpace::rec709, SceneLinearSpace::acescg,
+                                       SceneLinearSpace::aces2065_1, SceneLinearSpace::rec2020})
+    if (tag == interop_id(space)) return space;
   throw UserError(fmt::format("{}: it does not say in which space its colours are, as pictures of "
-                              "abbe render do",
+                              "abbe render do by colorInteropID. Render it with --exr-tag "
+                              "colorInteropID or both",
                               file.string()));
 }
 
@@ -70,16 +58,14 @@ std::vector<std::string> guide_channels(const PictureHeader& header, const fs::p
 }
 
 /// The picture with these layers, its colours in its own space.
-SceneLinearImage read_noisy(const fs::path& file) {
-  const PictureHeader header = read_picture_header(file);
+SceneLinearImage read_noisy(const fs::path& file, const PictureHeader& header) {
   for (const char* const name : {"R", "G", "B"})
     if (!has_channel(header, name))
       throw UserError(fmt::format("{}: it has no colours R, G and B", file.string()));
   if (!header.text("abbe/denoised").empty())
     throw UserError(fmt::format("{}: its noise has been taken out already", file.string()));
   const std::vector<std::string> layers = guide_channels(header, file);
-  SceneLinearImage image{
-      header.display, header.data, {}, kept_metadata(header), space_of(header, file)};
+  SceneLinearImage image{header.display, header.data, {}, header.of_abbe(), space_of(header, file)};
   image.camera = header.camera;
   for (const std::string& name : layers)
     image.channels.push_back({name, {}});
@@ -121,8 +107,7 @@ SpectralImage read_bands(const fs::path& file, const PictureHeader& header, Deno
       read_picture(file, {.rows = RowRange{header.data.y0 + rows.first, header.data.y0 + rows.last},
                           .bands = true,
                           .alpha = true});
-  SpectralImage image{header.display,       values.part, header.wavelengths_nm, {}, {},
-                      kept_metadata(header)};
+  SpectralImage image{header.display, values.part, header.wavelengths_nm, {}, {}, header.of_abbe()};
   image.camera = header.camera;
   const std::size_t pixels = values.part.pixel_count(), bands = header.wavelengths_nm.size();
   image.values.resize(pixels * bands);
@@ -171,7 +156,8 @@ int run(const DenoiseCommand& command) {
     inputs.push_back(command.spectral[0]);
   }
   check_outputs(outputs, inputs);
-  SceneLinearImage image = read_noisy(command.file);
+  const PictureHeader header = read_picture_header(command.file);
+  SceneLinearImage image = read_noisy(command.file, header);
   std::optional<PictureHeader> bands;
   if (outputs.spectral) {
     bands = read_picture_header(inputs[1]);
@@ -179,7 +165,6 @@ int run(const DenoiseCommand& command) {
   }
   const Denoiser denoiser(guide_of(image));
   OutputOptions options;
-  const PictureHeader header = read_picture_header(command.file);
   const auto red = std::ranges::find(header.channels, "R", &PictureChannel::name);
   options.exr_pixel = red->type == "half" ? ExrPixel::half : ExrPixel::single;
   image.channels.clear();

@@ -44,10 +44,8 @@ Colors colors_of(const DevelopCommand& command) {
 /// What a rendering says of itself in its EXR, which goes on to what is made of it, but for the
 /// observer where another one is told.
 Metadata kept_metadata(const Colors& colors, const DevelopCommand& command) {
-  Metadata kept;
-  if (colors.header.format != "OpenEXR") return kept; // others tell of the screen that was
-  for (const auto& [name, value] : colors.header.metadata)
-    if (name.starts_with("abbe/")) kept.emplace_back(name, value);
+  if (colors.header.format != "OpenEXR") return {}; // others tell of the screen that was
+  Metadata kept = colors.header.of_abbe();
   for (auto& [name, value] : kept)
     if (name == "abbe/observer" && command.observer)
       value = *command.observer == Observer::cie1931_2deg ? "2deg" : "10deg";

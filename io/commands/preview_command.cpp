@@ -1,6 +1,8 @@
 #include "io/commands/preview_command.h"
 
+#include "core/render/memory_need.h"
 #include "core/render/worker_limit.h"
+#include "io/commands/check_memory.h"
 #include "io/commands/setting_options.h"
 #include "io/console/exit_codes.h"
 #include "io/console/interrupt.h"
@@ -45,7 +47,12 @@ int run(const PreviewCommand& command) {
   say("only this machine can open it. Ctrl-C ends it");
   if (!all_was_said()) return kExitFailure; // at once: nobody could know the address
   const std::jthread watcher([&] { watch_until_interrupted(files, board, interrupt); });
-  run_preview(command.scene, board, files);
+  PreviewedScene previewed = command.scene;
+  previewed.check_memory = [](const Scene& scene, const RenderSettings& settings) {
+    check_memory(picture_needs(least_memory_need(settings)), {});
+    check_memory(plan_needs(least_plan_need(scene, settings)), {});
+  };
+  run_preview(previewed, board, files);
   return 0;
 }
 

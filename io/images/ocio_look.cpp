@@ -23,8 +23,8 @@ namespace {
 namespace ocio = OCIO_NAMESPACE;
 
 /// Names under which configurations have one of our spaces. The role is defined as ACES2065-1, so
-/// it comes first; the rest are names of linear Rec. 709 in the configurations of ACES, of Blender
-/// and of the Color Interop Forum.
+/// it comes first; then names of linear Rec. 709 in the configurations of ACES, of Blender and of
+/// the Color Interop Forum, and ACES's own.
 constexpr auto kInputs = std::to_array<std::pair<const char*, SceneLinearSpace>>({
     {"aces_interchange", SceneLinearSpace::aces2065_1},
     {"lin_rec709_scene", SceneLinearSpace::rec709},

@@ -32,6 +32,13 @@ struct PictureHeader {
       if (key == name) return value;
     return "";
   }
+  /// What a rendering of ours says of itself there.
+  [[nodiscard]] Metadata of_abbe() const {
+    Metadata kept;
+    for (const auto& entry : metadata)
+      if (entry.first.starts_with("abbe/")) kept.push_back(entry);
+    return kept;
+  }
 };
 
 /// Rows of a picture, counted as its windows do.

@@ -37,21 +37,6 @@ Imath::Box2i inclusive(const PixelWindow& window) {
   return {{window.x0, window.y0}, {window.x1 - 1, window.y1 - 1}};
 }
 
-/// (source: ColorInterop2026)
-const char* interop_id(SceneLinearSpace space) {
-  switch (space) {
-  case SceneLinearSpace::rec709:
-    return "lin_rec709_scene";
-  case SceneLinearSpace::acescg:
-    return "lin_ap1_scene";
-  case SceneLinearSpace::aces2065_1:
-    return "lin_ap0_scene";
-  case SceneLinearSpace::rec2020:
-    return "lin_rec2020_scene";
-  }
-  return "unknown";
-}
-
 Imath::M44f to_imath(const Matrix4& matrix) {
   Imath::M44f m;
   for (int i = 0; i < 4; ++i)
@@ -176,6 +161,20 @@ std::string spectral_channel_name(double wavelength_nm) {
 }
 
 } // namespace
+
+const char* interop_id(SceneLinearSpace space) {
+  switch (space) {
+  case SceneLinearSpace::rec709:
+    return "lin_rec709_scene";
+  case SceneLinearSpace::acescg:
+    return "lin_ap1_scene";
+  case SceneLinearSpace::aces2065_1:
+    return "lin_ap0_scene";
+  case SceneLinearSpace::rec2020:
+    return "lin_rec2020_scene";
+  }
+  return "unknown";
+}
 
 /// The largest finite half is (2 - 2^-10) 2^15; from the middle between it and 2^16 on, values are
 /// rounded to infinity. (source: IEEE 754)

@@ -21,6 +21,9 @@ enum class ExrTag {
   none,
 };
 
+/// What `colorInteropID` calls a space. (source: ColorInterop2026)
+[[nodiscard]] const char* interop_id(SceneLinearSpace space);
+
 /// What stands in the file's header.
 struct ExrHead {
   PixelWindow display, data;

@@ -8,7 +8,7 @@
 namespace abbe {
 namespace {
 
-/// The text between single quotes, as all three shells read it.
+/// The text between single quotes, as zsh reads it.
 std::string in_quotes(std::string_view text) {
   std::string result = "'";
   for (const char c : text) {

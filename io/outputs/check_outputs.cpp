@@ -62,6 +62,8 @@ void check_ocio(const OutputOptions& options) {
 void check_outputs(const Outputs& outputs, std::span<const fs::path> inputs,
                    std::span<const fs::path> further) {
   check_extensions(outputs);
+  for (const fs::path& path : further)
+    check_against(path, inputs, "this file");
   std::vector<fs::path> all = outputs.images;
   if (outputs.spectral) all.push_back(*outputs.spectral);
   if (outputs.state) all.push_back(*outputs.state);

@@ -60,6 +60,8 @@ constexpr auto kEffects = std::to_array<OutputEffect>({
     {"--adaptation", has_screen, kForScreens},
     {"--tone", has_screen, kForScreens},
     {"--ocio", has_screen, kForScreens},
+    {"--ocio-display", has_screen, kForScreens},
+    {"--ocio-view", has_screen, kForScreens},
 });
 
 } // namespace

@@ -23,7 +23,8 @@ DisplayImage by_ocio(const Rendered& rendered, const OcioTransform& ocio,
           ? rendered.denoised->scene_linear(ocio.space(), true)
           : develop_scene_linear(film, rendered.plan, ocio.space(),
                                  FilmPart{.window = film.window(), .colors_only = true});
-  linear.metadata = render_metadata(rendered.plan);
+  // Those of a part come without metadata, those without noise say so and have all.
+  if (!rendered.denoised) linear.metadata = render_metadata(rendered.plan);
   return ocio_picture(ocio, linear, settings);
 }
 

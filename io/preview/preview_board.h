@@ -28,7 +28,7 @@ struct PreviewReport {
   std::string warnings; ///< of the scene, one a line
   std::string camera;   ///< the lines of the scene that place the camera as it is now
   int width = 0, height = 0;     ///< of the scene's own frame
-  std::string state = "reading"; ///< "reading", "coarse", "rendering", "done"
+  std::string state = "reading"; ///< "reading", "coarse", "rendering", "done", "error"
   double fraction = 0.0, seconds = 0.0, seconds_left = 0.0;
   double samples = 0.0;        ///< of a pixel, in the mean
   std::optional<double> noise; ///< the estimated relative error

@@ -95,6 +95,9 @@ public:
   /// Renders until it is done or something else is wished.
   void render(PreviewWishes wishes, FileWatch& files);
 
+  /// How often it has begun.
+  [[nodiscard]] int renderings() const { return report_.renderings; }
+
 private:
   void read(FileWatch& files);
   void render_at(const RenderSettings& settings, const std::string& layer, bool first);
@@ -123,7 +126,12 @@ void Preview::read(FileWatch& files) {
     throw;
   }
   files.follow(inputs);
-  world_.emplace(scene_->shapes, farthest_coordinate(*scene_));
+  try {
+    world_.emplace(scene_->shapes, farthest_coordinate(*scene_));
+  } catch (...) {
+    scene_.reset(); // without its world it is read again
+    throw;
+  }
 }
 
 void Preview::show(const RenderState& state, const Plan& plan, const std::string& layer) {
@@ -181,9 +189,10 @@ void Preview::render(PreviewWishes wishes, FileWatch& files) {
   since_ = wishes.since;
   first_shown_ = false;
   coarse_.reset();
-  const int renderings = report_.renderings + 1;
-  report_ = PreviewReport();
-  report_.renderings = renderings;
+  PreviewReport begun;
+  begun.warnings = std::move(report_.warnings); // of the scene, which may not be read again
+  begun.renderings = report_.renderings + 1;
+  report_ = std::move(begun);
   if (wishes.read_again || !scene_) read(files);
   report_.title = scene_->title;
   RenderSettings settings = overridden(scene_->settings, previewed_.settings);
@@ -192,6 +201,7 @@ void Preview::render(PreviewWishes wishes, FileWatch& files) {
   for (const auto& [option, text] : wishes.settings)
     set_from_text(setting_of_option(option), text, settings);
   settings.keep_errors = true;
+  if (previewed_.check_memory) previewed_.check_memory(*scene_, settings);
   const Camera own = scene_->camera;
   if (wishes.forget_focus) focus_distance_.reset();
   if (wishes.focus) {
@@ -224,7 +234,7 @@ void run_preview(const PreviewedScene& previewed, PreviewBoard& board, FileWatch
       PreviewReport report = board.news(-1).report;
       report.state = "error";
       report.error = fault.what();
-      report.renderings += 1;
+      report.renderings = preview.renderings();
       board.tell(report);
     }
   }

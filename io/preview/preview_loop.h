@@ -1,11 +1,13 @@
 #pragma once
 
+#include "core/scene/scene.h"
 #include "io/building/strictness.h"
 #include "io/files/file_watch.h"
 #include "io/preview/preview_board.h"
 #include "io/settings/setting_text.h"
 
 #include <filesystem>
+#include <functional>
 
 namespace abbe {
 
@@ -14,6 +16,8 @@ struct PreviewedScene {
   std::filesystem::path path;
   SettingsOverride settings; ///< of the command line
   Strictness strictness = Strictness::strict;
+  /// Throws UserError where a rendering at these settings would take more memory than there is.
+  std::function<void(const Scene&, const RenderSettings&)> check_memory;
 };
 
 /// Renders a scene again and again, as it and what is wished change, until the board says that the
