@@ -50,7 +50,7 @@ class Desk(unittest.TestCase):
 
 
 class BrowserDesk(Desk):
-    """The same with a browser, whose window each test finds at its usual size."""
+    """The same with a browser, whose window each test finds at its usual size, and without complaints."""
 
     @classmethod
     def setUpClass(cls):
@@ -65,3 +65,10 @@ class BrowserDesk(Desk):
     def setUp(self):
         self.browser.size(1280, 900)
         self.browser.media()
+
+    def complaints(self):
+        """What the page has complained of since the last call."""
+        return self.browser.messages()
+
+    def tearDown(self):
+        self.assertEqual(self.complaints(), [])

@@ -26,7 +26,7 @@ class ViewPage(BrowserDesk):
         self.browser.wait("return document.body.dataset.ready")
 
     def tearDown(self):
-        self.assertEqual(self.browser.messages(), [])
+        super().tearDown()
         self.assertEqual(self.browser.run("return performance.getEntriesByType('resource').length"), 0)
 
     def point_of(self, x, y):

@@ -1,6 +1,5 @@
 """Drives a headless Chromium by the WebDriver protocol (https://www.w3.org/TR/webdriver2/)."""
 
-import base64
 import json
 import os
 import shutil
@@ -11,10 +10,6 @@ import urllib.error
 import urllib.request
 
 ELEMENT = "element-6066-11e4-a52e-4f735466cecf"  # the protocol's name for a reference to an element
-
-
-def is_installed():
-    return bool(shutil.which("chromedriver")) and bool(shutil.which("chromium"))
 
 
 class Browser:
@@ -110,12 +105,11 @@ class Browser:
     def size(self, width, height, scale=1):
         self.call("POST", "/goog/cdp/execute", {"cmd": "Emulation.setDeviceMetricsOverride", "params": {
             "width": width, "height": height, "deviceScaleFactor": scale, "mobile": width < 500}})
+        # The page is laid out anew in the next frame, and told of it in that frame's end.
+        self.run("window.laidOut = false; requestAnimationFrame(() => requestAnimationFrame(() => { window.laidOut = true; }))")
+        self.wait("return window.laidOut")
 
     def messages(self):
         """What the page has complained of since the last call."""
         return [entry["message"] for entry in self.call("POST", "/se/log", {"type": "browser"})
                 if entry["level"] == "SEVERE"]
-
-    def screenshot(self, file):
-        with open(file, "wb") as out:
-            out.write(base64.b64decode(self.call("GET", "/screenshot")))

@@ -2,7 +2,7 @@
 
 const $ = id => document.getElementById(id);
 const screen_ = new Screen($('screen'));
-const state = {shown: 0, picture: null, stops: 0, camera: '', choosesRegion: false, size: [0, 0], part: null};
+const state = {shown: 0, picture: null, stops: 0, camera: '', choosesRegion: false, size: [0, 0]};
 const pause = ms => new Promise(done => setTimeout(done, ms));
 
 async function wish(values) {
@@ -48,10 +48,8 @@ function repaint() {
   const frame = new OffscreenCanvas(frameWidth, frameHeight);
   frame.getContext('2d', screen_.options).drawImage(part, x0, y0);
   screen_.images = [frame, null];
-  const resized = frameWidth !== screen_.width || frameHeight !== screen_.height;
-  Object.assign(screen_, {width: frameWidth, height: frameHeight});
-  if (resized) screen_.fit();
-  else screen_.draw();
+  screen_.setSize(frameWidth, frameHeight);
+  screen_.draw();
   document.body.dataset.picture = picture.number;
 }
 
