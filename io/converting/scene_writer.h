@@ -62,6 +62,8 @@ private:
   std::string spectrum(const Curve& curve);
   /// The name of a file of a reflectance.
   std::string color_file(const Curve& curve);
+  /// The name of the file of an image of the scene, which is written once.
+  const std::string& image_file(std::size_t image);
   std::string picture_file(int width, int height, const std::vector<float>& rgb);
   std::filesystem::path beside(const std::string& name) const;
   std::string name_of_file(std::string_view kind, std::size_t number,
@@ -76,7 +78,9 @@ private:
   std::string text_;    ///< of the scene, behind what names the libraries
   std::string spectra_; ///< the light library
   std::vector<Curve> known_spectra_, known_colors_;
-  std::size_t pictures_ = 0, metals_ = 0;
+  std::vector<ConductorIndex> known_metals_;
+  std::size_t pictures_ = 0;
+  std::map<std::size_t, std::string> images_; ///< files of Scene::images, by their numbers
   std::map<const void*, std::string> meshes_; ///< by the triangles that copies share
   std::map<std::pair<std::int32_t, std::int32_t>, std::string> defined_;
   std::vector<std::pair<Curve, std::string>> fields_;

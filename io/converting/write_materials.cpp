@@ -95,13 +95,17 @@ SceneWriter::Base SceneWriter::write_body(const Material& finish, const Medium& 
         line("metal " + metal.name);
         return {0.0, 0.0, 1.0, 0.0};
       }
+    const auto known = std::ranges::find(known_metals_, *finish.metal);
+    const auto number = static_cast<std::size_t>(known - known_metals_.begin()) + 1;
+    const std::string name = name_of_file("metal", number, "yml");
+    line(fmt::format("metal \"{}\"", name));
+    if (known != known_metals_.end()) return {0.0, 0.0, 1.0, 0.0};
+    known_metals_.push_back(*finish.metal);
     std::string rows = "DATA:\n  - type: tabulated nk\n    data: |\n";
     for (int k = 0; k < kSampleCount; ++k)
       rows += fmt::format("        {} {} {}\n", sample_nm(k) / 1000.0,
                           finish.metal->n.at(sample_nm(k)), finish.metal->k.at(sample_nm(k)));
-    const std::string name = name_of_file("metal", ++metals_, "yml");
     write_text(beside(name), rows);
-    line(fmt::format("metal \"{}\"", name));
     return {0.0, 0.0, 1.0, 0.0};
   }
   if (finish.transparency.zero() && !finish.pane) {
@@ -147,8 +151,14 @@ void SceneWriter::write_texture(const Texture& texture) {
   if (const auto* grid = std::get_if<GridTexture>(&texture))
     return line(fmt::format("grid {} {} {} {} {}", grid->across, grid->up, grid->width,
                             field_name(grid->lines), field_name(grid->fields)));
-  const ReflectanceImage& image = scene_.images[std::get<ImageTexture>(texture).image];
-  line(fmt::format("imageTexture \"{}\"", picture_file(image.width, image.height, image.rgb)));
+  line(fmt::format("imageTexture \"{}\"", image_file(std::get<ImageTexture>(texture).image)));
+}
+
+const std::string& SceneWriter::image_file(std::size_t image) {
+  std::string& file = images_[image];
+  const ReflectanceImage& picture = scene_.images[image];
+  if (file.empty()) file = picture_file(picture.width, picture.height, picture.rgb);
+  return file;
 }
 
 void SceneWriter::write_surface(const Material& finish, const Base& base) {

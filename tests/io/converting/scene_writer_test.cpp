@@ -120,6 +120,24 @@ TEST_CASE("a mesh that is placed twice is written once") {
   CHECK_FALSE(std::filesystem::exists(folder.path / "out-mesh-3.ply"));
 }
 
+// The balls take the two materials in turn, so each is made the current one twice.
+TEST_CASE(
+    "a picture and a metal's table are written once, however often their material comes back") {
+  const test::Folder folder;
+  const std::string ball = " push translate 3 0 0 sphere pop ";
+  const std::string painted =
+      "defaultMaterials imageTexture \"" ABBE_SOURCE_DIR "/tests/fuzz/corpus/exr/rgb.exr\"" + ball;
+  Scene scene = read_scene_text(painted + "metal Ag" + ball + painted + "metal Ag" + ball, "s.sdl",
+                                [](const std::string&) {});
+  for (Material& material : scene.materials) // a metal that no catalogue has
+    if (material.metal) material.metal->k = material.metal->k.scaled(0.9);
+  check_same(scene, written_and_read(scene, folder));
+  for (const std::string one : {"out-metal-1.yml", "out-picture-1.exr"})
+    CHECK(std::filesystem::exists(folder.path / one));
+  for (const std::string two : {"out-metal-2.yml", "out-picture-2.exr"})
+    CHECK_FALSE(std::filesystem::exists(folder.path / two));
+}
+
 TEST_CASE("scenes of pbrt are the same when written in our language and read again") {
   const test::Folder folder;
   const Scene scene = read_pbrt_text(
