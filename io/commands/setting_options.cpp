@@ -147,7 +147,8 @@ void add_output_options(CLI::App& app, OutputOptions& output) {
   };
   app.add_option_function<std::string>(
          "--ocio", [ocio](const std::string& file) { ocio().config = file; },
-         "TIFF and PNG by a configuration of OpenColorIO, in place of --tone, --gamut, --white-point "
+         "TIFF and PNG by a configuration of OpenColorIO, in place of --tone, --gamut, "
+         "--white-point "
          "and --adaptation")
       ->type_name("FILE");
   app.add_option_function<std::string>(
